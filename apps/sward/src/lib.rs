@@ -1,0 +1,1 @@
+//! The parts of the `sward` command that other programs share.

@@ -1,0 +1,2 @@
+//! Growing.
+fn main() {}

@@ -1,0 +1,1 @@
+//! What the stages share on the GPU: layout, buffers, capabilities.

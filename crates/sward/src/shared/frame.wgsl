@@ -1,0 +1,48 @@
+// What every stage of a frame reads: group 0.
+
+struct GpuFrame {
+    // xyz unit direction, w strength (J equation 4: D)
+    gravity_direction: vec4<f32>,
+    // xyz centre in metres, w strength (J equation 4: C)
+    gravity_center: vec4<f32>,
+    // xyz unit direction from the ground to the sun
+    to_sun: vec4<f32>,
+    sun: vec4<f32>,
+    sky: vec4<f32>,
+    ground: vec4<f32>,
+    // Seconds of this step
+    dt_s: f32,
+    // Blend between gravity's direction (0) and centre (1)
+    gravity_blend: f32,
+    // Crush lost a second without contact
+    crush_decay: f32,
+    // 0 sward, 1 paper
+    physics_model: u32,
+    wind_count: u32,
+    sphere_count: u32,
+    // Number of this step
+    step: u32,
+    // Time of this step in 1/16384 s, wrapping
+    ticks: u32,
+}
+
+struct GpuWindSource {
+    // 0 waves, 1 gusts
+    kind: u32,
+    seed: u32,
+    // Unit direction in the xz plane
+    direction: vec2<f32>,
+    // waves: mean, amplitude; gusts: strength, turbulence
+    strength: vec2<f32>,
+    // Waves: radians a metre; gusts: cells a metre
+    frequency: f32,
+    // Waves: radians a second; gusts: metres a second
+    rate: f32,
+    // Waves: phase now, radians in 0..2 pi; gusts: drift now, metres (xz)
+    phase: vec2<f32>,
+    reserved: vec2<f32>,
+}
+
+@group(0) @binding(0) var<uniform> frame: GpuFrame;
+@group(0) @binding(1) var<storage, read> wind_sources: array<GpuWindSource>;
+@group(0) @binding(2) var<storage, read> spheres: array<vec4<f32>>;

@@ -1,0 +1,97 @@
+//! Species: what one kind of plant is.
+
+/// An inclusive range that a per-blade value is drawn from, uniformly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Smallest value.
+    pub min: f32,
+    /// Largest value.
+    pub max: f32,
+}
+
+impl Range {
+    /// A range from `min` to `max`.
+    pub const fn new(min: f32, max: f32) -> Self {
+        Self { min, max }
+    }
+    /// The value at `t` in 0..=1.
+    pub fn at(self, t: f32) -> f32 {
+        self.min + (self.max - self.min) * t
+    }
+}
+
+/// A pair of linear sRGB colours; each blade's colour lies between them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ColorRange {
+    /// One end, linear sRGB reflectance, 0..=1.
+    pub from: [f32; 3],
+    /// The other end.
+    pub to: [f32; 3],
+}
+
+/// The outline of a blade, from the root (v = 0) to the tip (v = 1). J section 5.2, equation 22.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Shape {
+    /// Full width to the top.
+    Quad,
+    /// Tapers evenly to a point.
+    Triangle,
+    /// One straight edge, one parabolic: a point at one side.
+    Quadratic,
+    /// Full width up to `tip`, then a triangle.
+    TriangleTip {
+        /// Share of the length, 0..1, where the taper begins: higher is blunter.
+        tip: f32,
+    },
+}
+
+/// One kind of plant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Species {
+    /// Name, for messages.
+    pub name: String,
+    /// Share of the mix, relative to the other species' shares; above 0.
+    pub share: f32,
+    /// Outline.
+    pub shape: Shape,
+    /// Length of the blade, metres, above 0.
+    pub height_m: Range,
+    /// Full width at the root, metres, above 0.
+    pub width_m: Range,
+    /// Response `s`, 1/s: how fast the blade returns to rest. Higher is stiffer and livelier;
+    /// 3 to 8 look like grass.
+    pub response: Range,
+    /// Droop `gamma`: gravity's pull as a share of the height. 0.3 to 0.65 lean 6 to 25 degrees.
+    pub droop: Range,
+    /// How strongly wind acts, times the wind's own strength. 1 is grass, 0 a blade of steel.
+    pub gust: f32,
+    /// Arch `kappa`, 0..=1: 0 is J's rule (equation 10), higher lets the tip hang over.
+    pub arch: f32,
+    /// 3D displacement, 0..=1: 0 is flat, 1 folds the blade to a right angle (J equation 23).
+    pub ridge: f32,
+    /// Colour at the root.
+    pub root_color: ColorRange,
+    /// Colour at the tip.
+    pub tip_color: ColorRange,
+}
+
+impl Default for Species {
+    /// Meadow grass about 40 cm high.
+    fn default() -> Self {
+        Self {
+            name: "grass".into(),
+            share: 1.0,
+            shape: Shape::TriangleTip { tip: 0.5 },
+            height_m: Range::new(0.25, 0.5),
+            width_m: Range::new(0.008, 0.014),
+            response: Range::new(3.5, 6.5),
+            droop: Range::new(0.3, 0.6),
+            gust: 1.0,
+            arch: 0.2,
+            ridge: 0.5,
+            root_color: ColorRange { from: [0.03, 0.07, 0.012], to: [0.05, 0.08, 0.02] },
+            tip_color: ColorRange { from: [0.16, 0.30, 0.05], to: [0.34, 0.38, 0.10] },
+        }
+    }
+}
