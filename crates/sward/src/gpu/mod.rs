@@ -1,1 +1,11 @@
-//! What the stages share on the GPU: layout, buffers, capabilities.
+//! What the stages share on the GPU: layout, buffers, bindings, capabilities.
+
+pub mod bindings;
+pub mod buffers;
+pub mod layout;
+pub mod limits;
+pub mod page;
+pub mod quantize;
+pub mod shaders;
+pub mod statistics;
+pub mod view;

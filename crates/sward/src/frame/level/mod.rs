@@ -1,1 +1,1 @@
-//! The level stage.
+//! WGSL functions of the level stage, which `update` and `draw` call.
