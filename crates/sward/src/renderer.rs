@@ -32,6 +32,13 @@ pub struct Targets {
     pub samples: u32,
 }
 
+impl Targets {
+    /// A colour format with a 32-bit depth, one sample a pixel.
+    pub fn single_sampled(color: wgpu::TextureFormat) -> Self {
+        Self { color, depth: wgpu::TextureFormat::Depth32Float, samples: 1 }
+    }
+}
+
 /// One stage of a frame, for hosts that time or interleave them; [`Renderer::cull`] runs
 /// `PatchCull`, `Update` and `Compact`, fused where that saves memory traffic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

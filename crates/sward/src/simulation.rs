@@ -95,3 +95,17 @@ pub struct Frame<'a> {
     /// Physical model.
     pub physics: PhysicsModel,
 }
+
+impl<'a> Frame<'a> {
+    /// A step with the defaults: no spheres, plain gravity, a clear day.
+    pub fn new(dt_s: f32, wind: &'a Wind) -> Self {
+        Self {
+            dt_s,
+            wind,
+            spheres: &[],
+            gravity: Gravity::default(),
+            light: Light::default(),
+            physics: PhysicsModel::default(),
+        }
+    }
+}

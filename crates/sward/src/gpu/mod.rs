@@ -9,3 +9,8 @@ pub mod quantize;
 pub mod shaders;
 pub mod statistics;
 pub mod view;
+
+#[cfg(test)]
+mod layout_tests;
+#[cfg(test)]
+pub(crate) mod test_device;

@@ -1,6 +1,9 @@
 //! Compaction: counts, prefix sums, places. No atomic append, so the same frame gives the same
 //! list and the same picture, bit for bit.
 
+#[cfg(test)]
+pub(crate) mod twin;
+
 use crate::gpu::bindings::compute;
 use crate::gpu::page::{Page, ViewLists};
 use crate::gpu::shaders::Shader;

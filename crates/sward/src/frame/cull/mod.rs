@@ -1,5 +1,8 @@
 //! Culling: patches here, one thread each; the tests of single blades run in `update`.
 
+#[cfg(test)]
+pub(crate) mod twin;
+
 use crate::gpu::bindings::compute;
 use crate::gpu::layout::BAND;
 use crate::gpu::page::{Page, ViewLists};

@@ -51,20 +51,3 @@ pub struct Wind {
     /// The sources; their sum is the wind.
     pub sources: Vec<WindSource>,
 }
-#[repr(C)]
-#[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-pub(crate) struct GpuWindSource {
-    pub kind: u32,
-    pub seed: u32,
-    pub direction: [f32; 2],
-    pub strength: [f32; 2],
-    pub frequency: f32,
-    pub rate: f32,
-    pub phase: [f32; 2],
-    pub reserved: [f32; 2],
-}
-impl Wind {
-    pub(crate) fn gpu_sources(&self) -> Vec<GpuWindSource> {
-        Vec::new()
-    }
-}
