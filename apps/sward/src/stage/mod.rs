@@ -252,16 +252,23 @@ impl Stage {
     /// # Errors
     /// Where the camera is none.
     pub fn encode_cull(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<()> {
-        let camera = self.matrices();
-        let StageOptions { size, reference, culling, .. } = self.options;
-        let mut view = View::new(camera.view_from_world, camera.clip_from_view, size);
-        view.opaque_depth = Some(&self.targets.depth);
-        view.culling = if reference { no_culling(culling) } else { culling };
-        view.width_correction = !reference;
-        if reference {
-            view.detail = f32::INFINITY;
-        }
+        let view = view(&self.options, self.matrices(), &self.targets.depth);
         Ok(self.renderer.cull(&self.gpu.device, encoder, &[view])?)
+    }
+
+    /// Records the settings of the view; before [`Stage::encode_stage`].
+    ///
+    /// # Errors
+    /// Where the camera is none.
+    pub fn encode_prepare(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<()> {
+        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        Ok(self.renderer.prepare_view(&self.gpu.device, encoder, 0, &view)?)
+    }
+
+    /// Records one stage of [`Stage::encode_cull`], so that it can be timed.
+    pub fn encode_stage(&self, encoder: &mut wgpu::CommandEncoder, stage: sward::Stage) {
+        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        self.renderer.encode_stage(&self.gpu.device, encoder, stage, 0, &view);
     }
 
     /// Records grass, then the sky where nothing is, then the resolve.
@@ -340,6 +347,23 @@ impl Stage {
     pub fn gpu_bytes(&self) -> u64 {
         self.renderer.gpu_bytes()
     }
+}
+
+/// The renderer's view of the camera.
+fn view<'a>(
+    options: &StageOptions,
+    camera: CameraMatrices,
+    opaque_depth: &'a wgpu::TextureView,
+) -> View<'a> {
+    let mut view = View::new(camera.view_from_world, camera.clip_from_view, options.size);
+    view.opaque_depth = Some(opaque_depth);
+    view.culling = options.culling;
+    if options.reference {
+        view.culling = no_culling(options.culling);
+        view.detail = f32::INFINITY;
+        view.width_correction = false;
+    }
+    view
 }
 
 /// The same with every test switched off, so that every blade is drawn.
