@@ -203,3 +203,43 @@ impl Hasher for CellHasher {
         self.0 = super::random::mix(self.0 ^ key);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Mesh;
+    use glam::{UVec2, Vec2};
+
+    fn check(mesh: Mesh, radius_m: f32) -> usize {
+        let surface = Surface::new(mesh).unwrap();
+        let samples = throw(&surface, radius_m, 7);
+        for (i, a) in samples.iter().enumerate() {
+            for b in &samples[..i] {
+                let apart = a.position.distance(b.position);
+                assert!(apart >= radius_m, "{} and {}: {apart}", a.position, b.position);
+            }
+        }
+        // As full as it can be: random places have a sample nearby.
+        let stream = Stream::new(1, Purpose::Single);
+        for i in 0..2000 {
+            let mut draws = stream.at(i);
+            let triangle = draws.below(surface.triangle_count()) as u32;
+            let spot = surface.spot(triangle, Fragment::WHOLE.point(&mut draws));
+            let near = samples.iter().any(|s| s.position.distance(spot.position) < 1.05 * radius_m);
+            assert!(near, "{} is bare", spot.position);
+        }
+        samples.len()
+    }
+
+    #[test]
+    fn samples_keep_the_radius_and_leave_no_gap() {
+        let flat = check(Mesh::plane(Vec2::splat(10.0), UVec2::splat(3)).unwrap(), 0.4);
+        // Dart throwing ends at about 0.7 samples for each square radius.
+        let packing = flat as f32 * 0.16 / 100.0;
+        assert!((0.62..0.82).contains(&packing), "{packing}");
+        check(Mesh::plane(Vec2::splat(10.0), UVec2::splat(60)).unwrap(), 0.4);
+        check(Mesh::sphere(1.0, 9).unwrap(), 0.2);
+        check(Mesh::mobius(2.0, 1.0, UVec2::new(20, 2)).unwrap(), 0.3);
+        assert_eq!(check(Mesh::sphere(1.0, 9).unwrap(), 5.0), 1);
+    }
+}

@@ -114,3 +114,57 @@ fn exit(
         })
         .min_by(|a, b| a.1.total_cmp(&b.1))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Mesh;
+    use glam::UVec2;
+
+    fn start(surface: &Surface) -> Spot {
+        surface.spot(5, Vec2::new(0.3, 0.3))
+    }
+
+    #[test]
+    fn a_walk_on_a_plane_is_straight() {
+        let mesh = Mesh::plane(Vec2::splat(10.0), UVec2::splat(37)).unwrap();
+        let surface = Surface::new(mesh).unwrap();
+        let adjacency = Adjacency::new(&surface);
+        let from = surface.spot(37 * 37, Vec2::new(0.2, 0.3));
+        for i in 0..50 {
+            let toward = direction(&surface, &from, i as f32 * 0.13);
+            let end = walk(&surface, &adjacency, &from, toward, 3.0);
+            let expected = from.position.as_dvec3() + toward * 3.0;
+            assert!((end.walked_m - 3.0).abs() < 1e-9);
+            assert!(end.spot.position.as_dvec3().distance(expected) < 1e-5, "{expected}");
+        }
+        let end = walk(&surface, &adjacency, &from, DVec3::X, 100.0);
+        assert!((end.spot.position.x - 5.0).abs() < 1e-5, "stops at the rim");
+        assert!((end.walked_m - f64::from(5.0 - from.position.x)).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_walk_round_a_ball_comes_home() {
+        let surface = Surface::new(Mesh::sphere(1.0, 64).unwrap()).unwrap();
+        let adjacency = Adjacency::new(&surface);
+        let from = start(&surface);
+        // Half of a great circle ends at the far side.
+        let toward = direction(&surface, &from, 0.7);
+        let end = walk(&surface, &adjacency, &from, toward, std::f64::consts::PI);
+        let far = end.spot.position.normalize().dot(from.position.normalize());
+        assert!(far < -0.99, "{far}");
+    }
+
+    #[test]
+    fn a_walk_never_changes_to_the_back_of_a_strip() {
+        // Both sides of a Mobius strip are meshed: each edge has four triangles.
+        let surface = Surface::new(Mesh::mobius(2.0, 1.0, UVec2::new(40, 4)).unwrap()).unwrap();
+        let adjacency = Adjacency::new(&surface);
+        let from = start(&surface);
+        for i in 0..60 {
+            let toward = direction(&surface, &from, i as f32 * 0.1);
+            let end = walk(&surface, &adjacency, &from, toward, 0.4);
+            assert!(from.normal.dot(end.spot.normal) > 0.8, "{:?}", end.spot);
+        }
+    }
+}
