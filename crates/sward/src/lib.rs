@@ -6,6 +6,7 @@ pub mod frame;
 mod gpu;
 pub mod grow;
 pub mod renderer;
+pub mod shared;
 pub mod simulation;
 pub mod species;
 pub mod statistics;

@@ -5,13 +5,13 @@
 //! (with the functions of `physics`, `cull` and `level`); `compact` makes the draw list; `draw`
 //! draws it, lit by `light`.
 
+pub mod collide;
+pub mod physics;
 pub mod wind;
 
-pub(crate) mod collide;
 pub(crate) mod compact;
 pub(crate) mod cull;
 pub(crate) mod draw;
 pub(crate) mod level;
 pub(crate) mod light;
-pub(crate) mod physics;
 pub(crate) mod update;

@@ -12,7 +12,7 @@ pub(crate) fn device() -> (wgpu::Device, wgpu::Queue) {
 }
 
 /// What a buffer holds, after all submitted work.
-pub(crate) fn read<T: bytemuck::AnyBitPattern>(
+pub(crate) fn read<T: bytemuck::Pod>(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
     buffer: &wgpu::Buffer,

@@ -1,5 +1,7 @@
 //! Colliders: which spheres are near each patch, and which patches they wake.
 
+pub mod twin;
+
 use crate::gpu::bindings::compute;
 use crate::gpu::layout::BAND;
 use crate::gpu::page::Page;
