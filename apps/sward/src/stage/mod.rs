@@ -120,7 +120,7 @@ impl Stage {
             uniform,
             opaque,
             passes,
-            wind: Wind { sources: scene.wind.clone() },
+            wind: Wind::new(scene.wind.clone())?,
             light,
             gravity: scene.gravity,
             spheres: scene.spheres.clone(),
@@ -216,6 +216,7 @@ impl Stage {
         dt_s: f64,
     ) -> Result<()> {
         self.time_s += dt_s;
+        self.wind.advance(dt_s);
         let time_s = self.time_s as f32;
         let placements = meshes::sphere_placements(&self.spheres, time_s);
         if self.opaque.move_spheres(&self.gpu.queue, placements) {
