@@ -1,5 +1,6 @@
 //! Cameras.
 
+use glam::camera::rh::{proj::directx::perspective, view::look_at_mat4};
 use glam::{Mat4, Vec3};
 
 /// A camera: perspective, right-handed, clip z from 0 (near) to 1 (far).
@@ -24,11 +25,11 @@ pub struct Camera {
 impl Camera {
     /// World to view: looking along -z.
     pub fn view_from_world(&self) -> Mat4 {
-        Mat4::look_at_rh(self.eye, self.target, self.up)
+        look_at_mat4(self.eye, self.target, self.up)
     }
 
     /// View to clip, for a target of `aspect` (width over height).
     pub fn clip_from_view(&self, aspect: f32) -> Mat4 {
-        Mat4::perspective_rh(self.vertical_fov_deg.to_radians(), aspect, self.near_m, self.far_m)
+        perspective(self.vertical_fov_deg.to_radians(), aspect, self.near_m, self.far_m)
     }
 }

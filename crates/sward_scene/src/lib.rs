@@ -14,8 +14,8 @@
 //! [`schema`].
 //!
 //! Anything wrong is one [`SceneError`] of one line: the file, the line or the object, the cause and
-//! what to do. No input makes this crate panic.
-#![doc = include_str!("../README.md")]
+//! what to do. No input makes this crate panic. It prints nothing; what is worth telling is in
+//! [`Scene::notes`].
 
 mod assets;
 mod build;
@@ -70,6 +70,8 @@ pub struct Scene {
     pub warm_up_s: f32,
     /// Frames a second of a rendered sequence.
     pub fps: f32,
+    /// What is not wrong but worth telling, such as a height image of 8 bits: one line each.
+    pub notes: Vec<String>,
 }
 
 /// What to grow, and on which object.

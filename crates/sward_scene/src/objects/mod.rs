@@ -1,5 +1,13 @@
 //! Objects: the opaque things of a scene.
 
+pub(crate) mod generate;
+pub(crate) mod ground;
+mod place;
+mod random;
+mod shapes;
+
+pub(crate) use place::{Placed, find};
+
 use crate::TextureImage;
 
 /// An opaque thing: it hides blades, may carry grass, and is drawn when visible.
