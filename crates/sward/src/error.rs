@@ -36,4 +36,25 @@ impl Error {
     pub(crate) fn setting(setting: impl Into<String>, cause: impl Into<String>) -> Self {
         Self::Setting { setting: setting.into(), cause: cause.into() }
     }
+
+    /// A mesh that cannot carry grass.
+    pub(crate) fn mesh(cause: impl Into<String>) -> Self {
+        Self::Mesh(cause.into())
+    }
+}
+
+/// Checks that a setting lies in `least..=most`; NaN does not.
+pub(crate) fn within(setting: &str, value: f32, least: f32, most: f32) -> Result<(), Error> {
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    Err(Error::setting(setting, format!("{value} is out of range; use {least} to {most}")))
+}
+
+/// Checks that a setting is above 0 and at most `most`; NaN is not.
+pub(crate) fn above_zero(setting: &str, value: f32, most: f32) -> Result<(), Error> {
+    if value > 0.0 && value <= most {
+        return Ok(());
+    }
+    Err(Error::setting(setting, format!("{value} is out of range; use above 0 to {most}")))
 }

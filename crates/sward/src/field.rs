@@ -1,7 +1,8 @@
 //! A field: a surface, its species, density and seed, grown into blades and patches.
 
+use crate::error::{above_zero, within};
 use crate::grow::surface::Surface;
-use crate::grow::{Blade, Patch};
+use crate::grow::{self, Blade, Patch};
 use crate::{Error, Species};
 use glam::Vec3;
 
@@ -33,20 +34,24 @@ pub enum DensityMap {
     VertexColor,
 }
 
-/// Distance used when blades are grouped into patches.
+/// Distance used when blades are grouped into patches. Both split groups in two along an axis until
+/// they fit; they differ in the axis that they choose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Metric {
-    /// Straight-line distance: rounder patches.
+    /// Straight-line distance: splits the axis of greatest variance, so that blades far off count
+    /// more: rounder patches.
     #[default]
     Euclidean,
-    /// Sum of the axes' distances: boxier patches.
+    /// Sum of the axes' distances: splits the axis of greatest mean deviation, so that stray
+    /// blades count less: boxier patches.
     Manhattan,
 }
 
 /// Order of the blades inside a patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BladeOrder {
-    /// Every prefix is spread evenly over the patch, so that thinning is a prefix.
+    /// Every prefix, of any length, is spread over the patch as evenly as the whole, so that
+    /// thinning is a prefix.
     #[default]
     Progressive,
     /// Morton order, as equation 20 of J needs it: neighbours are near each other.
@@ -123,12 +128,53 @@ impl Field {
     /// Grows a field on a surface. Deterministic: the same input gives the same field, bit for
     /// bit, for any number of threads.
     ///
+    /// `density` times the surface's area, before thinning, must be at most `max_blades`, and in
+    /// any case at most `u32::MAX`.
+    ///
     /// # Errors
     /// [`Error::Setting`] for a value out of range, [`Error::Mesh`] where nothing can grow.
     pub fn grow(surface: &Surface, desc: &FieldDesc) -> Result<Self, Error> {
-        let _ = (surface, desc, Vec3::ZERO);
-        Err(Error::setting("field", "not grown yet"))
+        desc.check()?;
+        let roots = grow::scatter::roots(surface, desc)?;
+        let blades = grow::blades::blades(&roots, desc);
+        drop(roots);
+        Ok(Self::arrange(desc.species.clone(), &blades, desc.patch_size, desc.metric, desc.order))
     }
+
+    /// A field of blades placed by hand. They are sorted into patches, so their order changes.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] for a value out of range; the message names the blade.
+    pub fn from_blades(
+        species: Vec<Species>,
+        blades: &[Blade],
+        patch_size: u32,
+        metric: Metric,
+        order: BladeOrder,
+    ) -> Result<Self, Error> {
+        check_species(&species)?;
+        check_patch_size(patch_size)?;
+        if blades.is_empty() || blades.len() > u32::MAX as usize {
+            let cause = format!("there are {}; use 1 to {}", blades.len(), u32::MAX);
+            return Err(Error::setting("blades", cause));
+        }
+        for (i, blade) in blades.iter().enumerate() {
+            blade.check(i, species.len())?;
+        }
+        Ok(Self::arrange(species, blades, patch_size, metric, order))
+    }
+
+    fn arrange(
+        species: Vec<Species>,
+        blades: &[Blade],
+        patch_size: u32,
+        metric: Metric,
+        order: BladeOrder,
+    ) -> Self {
+        let (blades, patches) = grow::patches::arrange(blades, patch_size, metric, order);
+        Self { species, blades, patches, patch_size, order }
+    }
+
     /// The species of the mix.
     pub fn species(&self) -> &[Species] {
         &self.species
@@ -149,4 +195,75 @@ impl Field {
     pub fn order(&self) -> BladeOrder {
         self.order
     }
+    /// Smallest and largest corner of a box that holds every pose of every blade, metres.
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        (self.patches.iter()).fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), patch| {
+            (low.min(patch.reach_min), high.max(patch.reach_max))
+        })
+    }
+}
+
+impl FieldDesc {
+    /// Checks every value.
+    fn check(&self) -> Result<(), Error> {
+        above_zero("density", self.density, 1e9)?;
+        check_species(&self.species)?;
+        if let Some(tufts) = &self.tufts {
+            within("tufts.share", tufts.share, 0.0, 1.0)?;
+            above_zero("tufts.radius_m", tufts.radius_m, 1e6)?;
+            within("tufts.spread_m", tufts.spread_m, 0.0, 1e6)?;
+        }
+        if let Some(map) = &self.density_map {
+            map.check()?;
+        }
+        within("max_slope_deg", self.max_slope_deg, 0.0, 180.0)?;
+        let (low, high) = self.height_limits_m;
+        // Also false where one is NaN.
+        if !(low <= high) {
+            let cause = format!("{low} to {high} holds no height; give the lower limit first");
+            return Err(Error::setting("height_limits_m", cause));
+        }
+        within("upright", self.upright, 0.0, 1.0)?;
+        check_patch_size(self.patch_size)?;
+        if self.max_blades == 0 {
+            return Err(Error::setting("max_blades", "0 lets nothing grow; use at least 1"));
+        }
+        Ok(())
+    }
+}
+
+impl DensityMap {
+    fn check(&self) -> Result<(), Error> {
+        let Self::Texture { width, height, values } = self else {
+            return Ok(());
+        };
+        let texels = u64::from(*width) * u64::from(*height);
+        if texels == 0 || texels != values.len() as u64 {
+            let cause = format!("{width} x {height} texels, but {} values", values.len());
+            return Err(Error::setting("density_map", cause));
+        }
+        match values.iter().position(|v| !(0.0..=1.0).contains(v)) {
+            None => Ok(()),
+            Some(i) => {
+                let cause = format!("value {i} is {}; use 0 to 1", values[i]);
+                Err(Error::setting("density_map", cause))
+            }
+        }
+    }
+}
+
+fn check_species(species: &[Species]) -> Result<(), Error> {
+    if species.is_empty() || species.len() > 256 {
+        let cause = format!("there are {}; use 1 to 256", species.len());
+        return Err(Error::setting("species", cause));
+    }
+    species.iter().enumerate().try_for_each(|(i, s)| s.check(&format!("species[{i}]")))
+}
+
+fn check_patch_size(size: u32) -> Result<(), Error> {
+    if size == 0 || size > 1024 || !size.is_multiple_of(64) {
+        let cause = format!("{size} is out of range; use a multiple of 64, at most 1024");
+        return Err(Error::setting("patch_size", cause));
+    }
+    Ok(())
 }

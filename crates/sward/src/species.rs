@@ -1,6 +1,15 @@
 //! Species: what one kind of plant is.
 
-/// An inclusive range that a per-blade value is drawn from, uniformly.
+use crate::Error;
+use crate::error::{above_zero, within};
+
+/// Longest and widest blade, metres.
+const LARGEST_M: f32 = 1000.0;
+/// Highest response, 1/s.
+const STIFFEST: f32 = 1000.0;
+
+/// An inclusive range that a per-blade value is drawn from: uniformly, but for heights, which also
+/// follow their neighbours (broad waves over the field, and a size for each tuft).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Smallest value.
@@ -93,5 +102,57 @@ impl Default for Species {
             root_color: ColorRange { from: [0.03, 0.07, 0.012], to: [0.05, 0.08, 0.02] },
             tip_color: ColorRange { from: [0.16, 0.30, 0.05], to: [0.34, 0.38, 0.10] },
         }
+    }
+}
+
+impl Species {
+    /// Checks every value; `path` names the species in messages, such as `species[1]`.
+    pub(crate) fn check(&self, path: &str) -> Result<(), Error> {
+        let at = |setting: &str| format!("{path}.{setting}");
+        above_zero(&at("share"), self.share, 1e6)?;
+        if let Shape::TriangleTip { tip } = self.shape
+            && !(0.0..1.0).contains(&tip)
+        {
+            let cause = format!("{tip} is out of range; use 0 to below 1");
+            return Err(Error::setting(at("shape.tip"), cause));
+        }
+        self.height_m.check(&at("height_m"), Some(LARGEST_M))?;
+        self.width_m.check(&at("width_m"), Some(LARGEST_M))?;
+        self.response.check(&at("response"), Some(STIFFEST))?;
+        self.droop.check(&at("droop"), None)?;
+        within(&at("gust"), self.gust, 0.0, 100.0)?;
+        within(&at("arch"), self.arch, 0.0, 1.0)?;
+        within(&at("ridge"), self.ridge, 0.0, 1.0)?;
+        self.root_color.check(&at("root_color"))?;
+        self.tip_color.check(&at("tip_color"))
+    }
+}
+
+impl Range {
+    /// Checks that both ends are above 0 and at most `most`; or, without, that they lie in 0..=10.
+    fn check(self, path: &str, most: Option<f32>) -> Result<(), Error> {
+        for (end, value) in [("min", self.min), ("max", self.max)] {
+            let setting = format!("{path}.{end}");
+            match most {
+                Some(most) => above_zero(&setting, value, most)?,
+                None => within(&setting, value, 0.0, 10.0)?,
+            }
+        }
+        if self.min > self.max {
+            let cause = format!("min {} is above max {}; swap them", self.min, self.max);
+            return Err(Error::setting(path, cause));
+        }
+        Ok(())
+    }
+}
+
+impl ColorRange {
+    fn check(&self, path: &str) -> Result<(), Error> {
+        for (end, color) in [("from", self.from), ("to", self.to)] {
+            for value in color {
+                within(&format!("{path}.{end}"), value, 0.0, 1.0)?;
+            }
+        }
+        Ok(())
     }
 }

@@ -1,10 +1,22 @@
 //! Growing: once per field, on the CPU. `surface -> scatter -> blades -> patches`.
 
-pub mod blades;
-pub mod patches;
-pub mod scatter;
+pub(crate) mod blades;
+mod darts;
+mod fragment;
+mod mask;
+mod noise;
+mod order;
+pub(crate) mod patches;
+mod random;
+pub(crate) mod scatter;
+pub mod shapes;
 pub mod surface;
+pub mod terrain;
+pub(crate) mod tufts;
+mod walk;
+mod weld;
 
+use crate::Error;
 use glam::Vec3;
 
 /// One plant, unquantised, in world space.
@@ -42,4 +54,36 @@ pub struct Patch {
     pub reach_min: Vec3,
     /// Largest corner of that box.
     pub reach_max: Vec3,
+}
+
+/// Coordinates beyond this are refused: squares of them must fit an `f32`.
+pub(crate) const FARTHEST_M: f32 = 1e9;
+
+impl Blade {
+    /// Checks a blade that was placed by hand; `index` names it in messages.
+    pub(crate) fn check(&self, index: usize, species: usize) -> Result<(), Error> {
+        let bad = |part: &str, cause: String| {
+            Err(Error::setting(format!("blades[{index}].{part}"), cause))
+        };
+        // Each test is also false for NaN.
+        if !self.root.abs().cmple(Vec3::splat(FARTHEST_M)).all() {
+            return bad("root", format!("{} is not within {FARTHEST_M:e} m", self.root));
+        }
+        if !self.up.is_normalized() {
+            return bad("up", format!("{} is not a unit vector; normalise it", self.up));
+        }
+        if !self.facing.is_finite() {
+            return bad("facing", format!("{} is not an angle", self.facing));
+        }
+        let parts = [("height", self.height), ("width", self.width), ("response", self.response)];
+        for (part, value) in parts {
+            if !(value > 0.0 && value <= 1000.0) {
+                return bad(part, format!("{value} is out of range; use above 0 to 1000"));
+            }
+        }
+        if usize::from(self.species) >= species {
+            return bad("species", format!("{} of {species}, counted from 0", self.species));
+        }
+        Ok(())
+    }
 }
