@@ -140,6 +140,8 @@ impl Scene {
             sun: self.light.irradiance,
             sky: self.sky.ambient,
             ground: self.sky.bounce,
+            haze: self.sky.horizon,
+            haze_per_m: self.sky.haze_m.recip(),
         }
     }
 

@@ -153,7 +153,7 @@ pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
 /// much as the tip's: seen from above roots are half hidden, but half of a blade is root.
 fn mean_grass_color(scene: &Scene, object: usize) -> [f32; 3] {
     let mut sum = Vec3::ZERO;
-    let mut shares = 0.0;
+    let mut shares = 0.0_f32;
     for species in
         scene.fields.iter().filter(|f| f.object == object).flat_map(|f| &f.desc.species)
     {

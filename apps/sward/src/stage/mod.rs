@@ -106,7 +106,10 @@ impl Stage {
                 .add_field(device, grown)
                 .with_context(|| format!("{}: field '{}'", scene.path.display(), field.name))?;
         }
-        let light = light(scene, options.haze);
+        let mut light = scene.light();
+        if !options.haze {
+            light.haze_per_m = 0.0;
+        }
         let uniform = FrameUniform::new(device, scene, &light);
         let targets = Targets::new(device, options.size, samples);
         let opaque = Opaque::new(gpu, &uniform, scene, samples);
@@ -377,17 +380,6 @@ pub fn no_culling(culling: Culling) -> Culling {
         max_distance_m: f32::INFINITY,
         ..culling
     }
-}
-
-/// The scene's light; haze takes the colour of the sky at the horizon.
-fn light(scene: &Scene, haze: bool) -> Light {
-    let mut light = scene.light();
-    light.haze = scene.sky.horizon;
-    light.haze_per_m = 0.0;
-    if haze && scene.sky.haze_m.is_finite() && scene.sky.haze_m > 0.0 {
-        light.haze_per_m = 1.0 / scene.sky.haze_m;
-    }
-    light
 }
 
 /// A module of the stage: `frame.wgsl` and the given parts.
