@@ -120,7 +120,7 @@ impl Stage {
             uniform,
             opaque,
             passes,
-            wind: Wind { sources: scene.wind.clone() },
+            wind: Wind::new(scene.wind.clone())?,
             light,
             gravity: scene.gravity,
             spheres: scene.spheres.clone(),
@@ -210,11 +210,7 @@ impl Stage {
     ///
     /// # Errors
     /// Where wind or spheres are more than fit, or not finite.
-    pub fn encode_simulate(
-        &mut self,
-        encoder: &mut wgpu::CommandEncoder,
-        dt_s: f64,
-    ) -> Result<()> {
+    pub fn encode_simulate(&mut self, encoder: &mut wgpu::CommandEncoder, dt_s: f64) -> Result<()> {
         self.time_s += dt_s;
         let time_s = self.time_s as f32;
         let placements = meshes::sphere_placements(&self.spheres, time_s);
