@@ -212,6 +212,7 @@ impl Stage {
     /// Where wind or spheres are more than fit, or not finite.
     pub fn encode_simulate(&mut self, encoder: &mut wgpu::CommandEncoder, dt_s: f64) -> Result<()> {
         self.time_s += dt_s;
+        self.wind.advance(dt_s);
         let time_s = self.time_s as f32;
         let placements = meshes::sphere_placements(&self.spheres, time_s);
         if self.opaque.move_spheres(&self.gpu.queue, placements) {
