@@ -137,7 +137,9 @@ async fn named_adapter(instance: &wgpu::Instance, name: &str) -> Result<wgpu::Ad
     adapters
         .into_iter()
         .find(|adapter| adapter.get_info().name.to_lowercase().contains(&wanted))
-        .ok_or_else(|| anyhow!("WGPU_ADAPTER_NAME={name}: no such adapter; there are: {}", names.join(", ")))
+        .ok_or_else(|| {
+            anyhow!("WGPU_ADAPTER_NAME={name}: no such adapter; there are: {}", names.join(", "))
+        })
 }
 
 fn no_adapter() -> String {

@@ -32,9 +32,9 @@ impl Output {
         let shown = path.display();
         match path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).as_deref() {
             Some("png") => {}
-            Some(format @ ("mp4" | "gif")) => bail!(
-                "-o {shown}: {format} is not written yet; use a sequence such as f/%04d.png"
-            ),
+            Some(format @ ("mp4" | "gif")) => {
+                bail!("-o {shown}: {format} is not written yet; use a sequence such as f/%04d.png")
+            }
             Some(_) => bail!("-o {shown}: unknown format; pictures are written as .png"),
             None => bail!("-o {shown}: the name has no extension; pictures are written as .png"),
         }

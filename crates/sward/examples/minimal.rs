@@ -1,5 +1,6 @@
 //! A host's whole program: a device, a field, two seconds of wind, and blades in its own pass.
-use glam::{Mat4, UVec2, Vec2, Vec3};
+use glam::camera::rh::{proj::directx::perspective, view::look_at_mat4};
+use glam::{UVec2, Vec2, Vec3};
 use sward::*;
 
 fn target(device: &wgpu::Device, format: wgpu::TextureFormat) -> wgpu::TextureView {
@@ -17,7 +18,8 @@ fn target(device: &wgpu::Device, format: wgpu::TextureFormat) -> wgpu::TextureVi
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let instance =
+        wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
     let adapter = pollster::block_on(instance.request_adapter(&Default::default()))?;
     let (device, queue) = pollster::block_on(adapter.request_device(&Default::default()))?;
     let targets = Targets::single_sampled(wgpu::TextureFormat::Rgba16Float);
@@ -28,8 +30,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut renderer = Renderer::new(&device, targets)?;
     renderer.add_field(&device, &field)?;
     let mut wind = Wind::new(vec![WindSource::Gusts(Gusts::default())])?;
-    let eye = Mat4::look_at_rh(Vec3::new(0.0, 1.6, 9.0), Vec3::ZERO, Vec3::Y);
-    let view = View::new(eye, Mat4::perspective_rh(1.0, 16.0 / 9.0, 0.1, 200.0), [640, 360]);
+    let eye = look_at_mat4(Vec3::new(0.0, 1.6, 9.0), Vec3::ZERO, Vec3::Y);
+    let view = View::new(eye, perspective(1.0, 16.0 / 9.0, 0.1, 200.0), [640, 360]);
     let ball = [Sphere { center: Vec3::new(0.0, 0.2, 3.0), radius: 0.4 }];
 
     for _ in 0..120 {
@@ -38,7 +40,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let mut encoder = device.create_command_encoder(&Default::default());
         renderer.simulate(&device, &queue, &mut encoder, &frame)?;
         renderer.cull(&device, &mut encoder, &[view])?;
-        let clear = wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Store };
+        let clear =
+            wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Store };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                 view: &color,

@@ -157,11 +157,11 @@ fn measure_once(
     let times = measure::measure(gpu, &mut stage, args.frames, still, &|| bar.step())?;
     let statistics = measure::statistics(gpu, &mut stage, still)?
         .context("the device gave no statistics back")?;
-    Ok(Report::new(gpu, scene, options, &args.without, report::Measured {
-        times,
-        statistics,
-        gpu_bytes: stage.gpu_bytes(),
-        patch_size,
-        grow_s,
-    }))
+    Ok(Report::new(
+        gpu,
+        scene,
+        options,
+        &args.without,
+        report::Measured { times, statistics, gpu_bytes: stage.gpu_bytes(), patch_size, grow_s },
+    ))
 }

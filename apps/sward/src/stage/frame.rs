@@ -134,8 +134,20 @@ mod tests {
             ($($name:ident),*) => { vec![$((stringify!($name), offset_of!(GpuStageFrame, $name))),*] };
         }
         let ours = fields![
-            clip_from_world, view_from_clip, world_from_view, eye, to_sun, sun, sky, ground, zenith,
-            horizon, haze, exposure, weight, reserved
+            clip_from_world,
+            view_from_clip,
+            world_from_view,
+            eye,
+            to_sun,
+            sun,
+            sky,
+            ground,
+            zenith,
+            horizon,
+            haze,
+            exposure,
+            weight,
+            reserved
         ];
         let theirs: Vec<_> = members
             .iter()

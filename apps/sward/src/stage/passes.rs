@@ -49,10 +49,7 @@ impl Passes {
             inputs: 1,
             background: false,
         };
-        Self {
-            sky: make(sky, &[]),
-            post: make(post, &[targets.linear()]),
-        }
+        Self { sky: make(sky, &[]), post: make(post, &[targets.linear()]) }
     }
 
     /// Fills the background of an open pass.

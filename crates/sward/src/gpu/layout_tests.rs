@@ -24,23 +24,76 @@ macro_rules! expected {
 fn structs() -> Vec<Expected> {
     vec![
         expected!(GpuFrame {
-            gravity_direction, gravity_center, to_sun, sun, sky, ground, haze, dt_s, gravity_blend,
-            crush_decay, physics_model, wind_count, sphere_count, step, ticks,
+            gravity_direction,
+            gravity_center,
+            to_sun,
+            sun,
+            sky,
+            ground,
+            haze,
+            dt_s,
+            gravity_blend,
+            crush_decay,
+            physics_model,
+            wind_count,
+            sphere_count,
+            step,
+            ticks,
         }),
         expected!(GpuWindSource {
-            kind, seed, direction, strength, frequency, rate, phase, reserved,
+            kind,
+            seed,
+            direction,
+            strength,
+            frequency,
+            rate,
+            phase,
+            reserved,
         }),
         expected!(GpuField { blade_count, patch_count, patch_size, first_id }),
         expected!(GpuPatch { origin, edge, reach_min, max_height, reach_max, max_width }),
         expected!(GpuSpecies {
-            height, width, response, droop, gust, arch, ridge, tip, shape, first_bucket, reserved,
-            area_scale, root_from, root_to, tip_from, tip_to,
+            height,
+            width,
+            response,
+            droop,
+            gust,
+            arch,
+            ridge,
+            tip,
+            shape,
+            first_bucket,
+            reserved,
+            area_scale,
+            root_from,
+            root_to,
+            tip_from,
+            tip_to,
         }),
         expected!(GpuView {
-            clip_from_world, eye, depth_row, planes, depth_from_value, size, focal, detail,
-            least_width, max_distance, flags, capacity,
+            clip_from_world,
+            eye,
+            depth_row,
+            planes,
+            depth_from_value,
+            size,
+            focal,
+            detail,
+            least_width,
+            max_distance,
+            flags,
+            capacity,
         }),
-        expected!(GpuBand { step, ticks, culled, counts, tested, reserved_a, reserved_b, reserved_c }),
+        expected!(GpuBand {
+            step,
+            ticks,
+            culled,
+            counts,
+            tested,
+            reserved_a,
+            reserved_b,
+            reserved_c
+        }),
         expected!(GpuBlock { buckets, counted }),
         expected!(GpuDraw { start, count, dropped, reserved }),
     ]
@@ -48,7 +101,8 @@ fn structs() -> Vec<Expected> {
 
 /// Members (name, offset) and span of each struct of a module.
 fn shader_structs(shader: Shader) -> Vec<(String, usize, Vec<(String, usize)>)> {
-    let module = naga::front::wgsl::parse_str(&shader.source()).expect("valid, as another test shows");
+    let module =
+        naga::front::wgsl::parse_str(&shader.source()).expect("valid, as another test shows");
     module
         .types
         .iter()

@@ -2,11 +2,14 @@
 
 /// The first adapter's device, with default limits.
 pub(crate) fn device() -> (wgpu::Device, wgpu::Queue) {
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let instance =
+        wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
     let adapter = pollster::block_on(
         instance.request_adapter(&wgpu::RequestAdapterOptions::default()),
     )
-    .expect("these tests need a GPU adapter; on Debian or Ubuntu: apt-get install mesa-vulkan-drivers");
+    .expect(
+        "these tests need a GPU adapter; on Debian or Ubuntu: apt-get install mesa-vulkan-drivers",
+    );
     pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default()))
         .expect("the adapter has wgpu's default limits")
 }

@@ -70,8 +70,7 @@ fn by_stage(gpu: &Gpu, stage: &mut Stage, dt_s: f64, times: &mut Times) -> Resul
             Ok(())
         })
     };
-    let simulate =
-        time_stage(gpu, stage, |stage, encoder| stage.encode_simulate(encoder, dt_s))?;
+    let simulate = time_stage(gpu, stage, |stage, encoder| stage.encode_simulate(encoder, dt_s))?;
     let opaque = time_stage(gpu, stage, |stage, encoder| {
         stage.encode_opaque(encoder);
         Ok(())

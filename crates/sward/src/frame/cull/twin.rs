@@ -148,7 +148,13 @@ pub(crate) fn decide(
 }
 
 /// What a patch keeps in a view: how many of its blades are dispatched.
-pub(crate) fn kept_blades(view: &GpuView, low: Vec3, high: Vec3, max_width: f32, count: u32) -> u32 {
+pub(crate) fn kept_blades(
+    view: &GpuView,
+    low: Vec3,
+    high: Vec3,
+    max_width: f32,
+    count: u32,
+) -> u32 {
     let outside = view.planes.iter().any(|plane| {
         let plane = Vec4::from(*plane);
         let normal = plane.truncate();

@@ -53,6 +53,27 @@ pub struct Gusts {
     pub seed: u32,
 }
 
+impl Default for Waves {
+    /// A breeze with waves 14 m apart.
+    fn default() -> Self {
+        Self { direction: Vec2::X, mean: 0.25, amplitude: 0.35, wavelength_m: 14.0, speed_mps: 5.0 }
+    }
+}
+
+impl Default for Gusts {
+    /// Gusts of 12 m on a fresh day.
+    fn default() -> Self {
+        Self {
+            direction: Vec2::X,
+            strength: 0.8,
+            size_m: 12.0,
+            speed_mps: 5.0,
+            turbulence: 0.3,
+            seed: 1,
+        }
+    }
+}
+
 /// All sources, and the time that has passed for them.
 ///
 /// Phases are kept in `f64`, so that a wind that has blown for days is as exact as a new one, and
