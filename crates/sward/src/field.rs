@@ -66,6 +66,9 @@ pub struct FieldDesc {
     /// Blades a square metre, before thinning by map, slope and height. More costs memory (32
     /// bytes a blade) and frame time.
     pub density: f32,
+    /// Blades in all, exactly, in place of `density`, which then is not used; map, slope and height
+    /// still shape where they stand.
+    pub count: Option<u64>,
     /// Same seed, same field, bit for bit.
     pub seed: u64,
     /// The mix; 1 to 256 kinds.
@@ -95,6 +98,7 @@ impl Default for FieldDesc {
     fn default() -> Self {
         Self {
             density: 400.0,
+            count: None,
             seed: 1,
             species: vec![Species::default()],
             tufts: None,

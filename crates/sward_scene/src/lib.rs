@@ -1,1 +1,166 @@
-//! Scene files.
+//! Scene files, meshes, heightmaps and textures, read into the types of [`sward`].
+//!
+//! A scene is a RON file; the smallest useful one is three lines:
+//!
+//! ```ron
+//! (
+//!     fields: [(on: Terrain(size_m: 60))],
+//! )
+//! ```
+//!
+//! [`load`] reads it with all that it refers to, checks every value, and returns a [`Scene`] whose
+//! parts are ready for the library: meshes in world space, surfaces, field descriptions, wind. Every
+//! key, its unit, range and default are listed in the crate's README and on the types of
+//! [`schema`].
+//!
+//! Anything wrong is one [`SceneError`] of one line: the file, the line or the object, the cause and
+//! what to do. No input makes this crate panic. It prints nothing; what is worth telling is in
+//! [`Scene::notes`].
+
+mod assets;
+mod build;
+pub mod camera;
+mod check;
+mod error;
+mod locate;
+mod objects;
+pub mod schema;
+mod spheres;
+
+pub use assets::TextureImage;
+pub use build::{load, parse};
+pub use camera::Camera;
+pub use error::SceneError;
+pub use objects::Object;
+pub use spheres::{MovingSphere, SphereKey};
+
+use glam::Vec3;
+use std::path::PathBuf;
+
+/// A scene, ready to grow and draw.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// Its name: the `name` key, or the file's stem.
+    pub name: String,
+    /// The file that it was read from.
+    pub path: PathBuf,
+    /// Opaque things, in world space; some carry grass.
+    pub objects: Vec<Object>,
+    /// What to grow; at least one.
+    pub fields: Vec<SceneField>,
+    /// Cameras; at least one, the first is the default.
+    pub cameras: Vec<Camera>,
+    /// Terms of the wind; none is still air.
+    pub wind: Vec<sward::WindSource>,
+    /// Spheres that push blades aside.
+    pub spheres: Vec<MovingSphere>,
+    /// The sun.
+    pub light: SunSettings,
+    /// Sky and haze.
+    pub sky: SkySettings,
+    /// Gravity.
+    pub gravity: sward::Gravity,
+    /// Physical model.
+    pub physics: sward::PhysicsModel,
+    /// Which tests cull blades.
+    pub culling: sward::Culling,
+    /// Look of bare ground.
+    pub ground: GroundSettings,
+    /// Seconds simulated before time 0, so that grass starts in motion.
+    pub warm_up_s: f32,
+    /// Frames a second of a rendered sequence.
+    pub fps: f32,
+    /// What is not wrong but worth telling, such as a height image of 8 bits: one line each.
+    pub notes: Vec<String>,
+}
+
+/// What to grow, and on which object.
+#[derive(Debug, Clone)]
+pub struct SceneField {
+    /// Its name, for messages.
+    pub name: String,
+    /// Index into [`Scene::objects`] of the object that it grows on.
+    pub object: usize,
+    /// That object's mesh, checked.
+    pub surface: sward::Surface,
+    /// What to grow.
+    pub desc: sward::FieldDesc,
+}
+
+/// The sun: where it stands and how bright it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SunSettings {
+    /// Compass direction of the sun, degrees: 0 is -z (north), 90 is +x (east).
+    pub azimuth_deg: f32,
+    /// Height over the horizon, degrees.
+    pub elevation_deg: f32,
+    /// Irradiance, linear RGB: colour times strength.
+    pub irradiance: Vec3,
+}
+
+impl SunSettings {
+    /// Unit direction from the ground to the sun.
+    pub fn to_sun(&self) -> Vec3 {
+        let (sin_a, cos_a) = self.azimuth_deg.to_radians().sin_cos();
+        let (sin_e, cos_e) = self.elevation_deg.to_radians().sin_cos();
+        Vec3::new(sin_a * cos_e, sin_e, -cos_a * cos_e)
+    }
+}
+
+/// Sky and haze, linear RGB radiance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SkySettings {
+    /// Background overhead.
+    pub zenith: Vec3,
+    /// Background at the horizon; haze takes this colour.
+    pub horizon: Vec3,
+    /// Light that the sky sheds on upward faces.
+    pub ambient: Vec3,
+    /// Light that the ground sheds on downward faces.
+    pub bounce: Vec3,
+    /// Distance at which haze hides 63 % of a thing (1 - 1/e), metres; infinity is clear air.
+    pub haze_m: f32,
+}
+
+/// How bare ground looks between and beyond the blades.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroundSettings {
+    /// Soil, linear RGB reflectance: the colour of objects that carry grass and set none.
+    pub soil: [f32; 3],
+    /// How far ground that carries grass takes the grass's own mean colour, 0..=1: higher hides the
+    /// end of the field and of thinned levels, lower shows the soil between the blades.
+    pub grass_tint: f32,
+}
+
+impl Scene {
+    /// Sun and sky as the library takes them.
+    pub fn light(&self) -> sward::Light {
+        sward::Light {
+            to_sun: self.light.to_sun(),
+            sun: self.light.irradiance,
+            sky: self.sky.ambient,
+            ground: self.sky.bounce,
+        }
+    }
+
+    /// The camera of that name; without a name the first.
+    ///
+    /// # Errors
+    /// [`SceneError::Camera`] where there is none of that name; it lists those that there are.
+    pub fn camera(&self, name: Option<&str>) -> Result<&Camera, SceneError> {
+        let found = match name {
+            None => self.cameras.first(),
+            Some(name) => self.cameras.iter().find(|camera| camera.name == name),
+        };
+        found.ok_or_else(|| SceneError::Camera {
+            file: self.path.clone(),
+            name: name.unwrap_or("default").into(),
+            known: self.cameras.iter().map(|c| c.name.as_str()).collect::<Vec<_>>().join(", "),
+        })
+    }
+
+    /// The spheres at a time, as the library takes them.
+    pub fn spheres_at(&self, time_s: f32) -> Vec<sward::Sphere> {
+        self.spheres.iter().filter_map(|sphere| sphere.at(time_s)).collect()
+    }
+}

@@ -1,0 +1,66 @@
+//! PNG and JPEG images.
+
+use crate::SceneError;
+use image::{DynamicImage, ImageFormat, ImageReader, Limits};
+use std::io::Cursor;
+use std::path::Path;
+
+/// An image: 8-bit sRGB with straight alpha.
+#[derive(Clone, PartialEq)]
+pub struct TextureImage {
+    /// Width, texels.
+    pub width: u32,
+    /// Height, texels.
+    pub height: u32,
+    /// RGBA, row by row from the top: `width * height * 4` bytes.
+    pub pixels: Vec<u8>,
+}
+
+impl std::fmt::Debug for TextureImage {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "TextureImage({} x {})", self.width, self.height)
+    }
+}
+
+/// Longest side of an image, pixels: what every adapter takes as a texture.
+pub(crate) const MAX_SIDE: u32 = 8192;
+const MAX_BYTES: u64 = 1 << 30;
+
+/// Decodes a PNG or JPEG, told apart by its bytes.
+pub(crate) fn decode(file: &Path, bytes: &[u8]) -> Result<DynamicImage, SceneError> {
+    let format = image::guess_format(bytes)
+        .ok()
+        .filter(|format| matches!(format, ImageFormat::Png | ImageFormat::Jpeg))
+        .ok_or_else(|| SceneError::asset(file, "is no PNG or JPEG image; convert it to PNG"))?;
+    let broken = |error: image::ImageError| {
+        let cause = format!("broken or unsupported image: {error}; export it again");
+        SceneError::asset(file, cause)
+    };
+    let reader = || ImageReader::with_format(Cursor::new(bytes), format);
+    let (width, height) = reader().into_dimensions().map_err(broken)?;
+    if width == 0 || height == 0 || width.max(height) > MAX_SIDE {
+        let cause = format!(
+            "image of {width} x {height} pixels: sides must be 1 to {MAX_SIDE}; scale it down"
+        );
+        return Err(SceneError::asset(file, cause));
+    }
+    let mut limited = reader();
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(MAX_BYTES);
+    limited.limits(limits);
+    limited.decode().map_err(broken)
+}
+
+/// Decodes a texture.
+pub(crate) fn texture(file: &Path, bytes: &[u8]) -> Result<TextureImage, SceneError> {
+    let image = decode(file, bytes)?.into_rgba8();
+    Ok(TextureImage { width: image.width(), height: image.height(), pixels: image.into_raw() })
+}
+
+/// Decodes a grey map to values 0..=1, as they are stored (no transfer function).
+pub(crate) fn density(file: &Path, bytes: &[u8]) -> Result<sward::DensityMap, SceneError> {
+    let image = decode(file, bytes)?.into_luma16();
+    let (width, height) = image.dimensions();
+    let values = image.into_raw().iter().map(|&v| f32::from(v) / f32::from(u16::MAX)).collect();
+    Ok(sward::DensityMap::Texture { width, height, values })
+}

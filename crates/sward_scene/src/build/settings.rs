@@ -1,0 +1,124 @@
+//! Settings of the whole scene: light, sky, wind, gravity, culling.
+
+use crate::check::{Key, MAX_M, Problem};
+use crate::schema::{
+    CullingFile, GravityFile, GustsFile, PhysicsFile, SceneFile, SkyFile, SunFile, WavesFile,
+    WindFile,
+};
+use crate::{GroundSettings, SkySettings, SunSettings};
+use glam::{Vec2, Vec3};
+use sward::{Culling, Gravity, Gusts, PhysicsModel, Waves, WindSource};
+
+pub(super) struct Settings {
+    pub(super) wind: Vec<WindSource>,
+    pub(super) light: SunSettings,
+    pub(super) sky: SkySettings,
+    pub(super) gravity: Gravity,
+    pub(super) physics: PhysicsModel,
+    pub(super) culling: Culling,
+    pub(super) ground: GroundSettings,
+    pub(super) warm_up_s: f32,
+    pub(super) fps: f32,
+}
+
+impl Settings {
+    pub(super) fn check(file: &SceneFile) -> Result<Self, Problem> {
+        let ground = Key::name("ground");
+        let wind = file.wind.iter().enumerate();
+        Ok(Self {
+            wind: wind.map(|(i, source)| wind_source(source, i)).collect::<Result<_, _>>()?,
+            light: sun(&file.sun)?,
+            sky: sky(&file.sky)?,
+            gravity: gravity(&file.gravity)?,
+            physics: match file.physics {
+                PhysicsFile::Sward => PhysicsModel::Sward,
+                PhysicsFile::Paper => PhysicsModel::Paper,
+            },
+            culling: culling(&file.culling)?,
+            ground: GroundSettings {
+                soil: ground.at("soil").color(file.ground.soil)?,
+                grass_tint: ground.at("grass_tint").within(file.ground.grass_tint, 0.0, 1.0)?,
+            },
+            warm_up_s: Key::name("warm_up_s").within(file.warm_up_s, 0.0, 60.0)?,
+            fps: Key::name("fps").within(file.fps, 1.0, 1000.0)?,
+        })
+    }
+}
+
+fn sun(sun: &SunFile) -> Result<SunSettings, Problem> {
+    let key = Key::name("sun");
+    let strength = key.at("strength").within(sun.strength, 0.0, 100.0)?;
+    Ok(SunSettings {
+        azimuth_deg: key.at("azimuth_deg").within(sun.azimuth_deg, -36_000.0, 36_000.0)?,
+        elevation_deg: key.at("elevation_deg").within(sun.elevation_deg, -90.0, 90.0)?,
+        irradiance: key.at("color").radiance(sun.color, strength)?,
+    })
+}
+
+fn sky(sky: &SkyFile) -> Result<SkySettings, Problem> {
+    let key = Key::name("sky");
+    let strength = key.at("strength").within(sky.strength, 0.0, 100.0)?;
+    Ok(SkySettings {
+        zenith: key.at("zenith").radiance(sky.zenith, strength)?,
+        horizon: key.at("horizon").radiance(sky.horizon, strength)?,
+        ambient: key.at("ambient").radiance(sky.ambient, strength)?,
+        bounce: key.at("bounce").radiance(sky.bounce, strength)?,
+        haze_m: key.at("haze_m").above_zero(sky.haze_m, f32::INFINITY)?,
+    })
+}
+
+fn gravity(gravity: &GravityFile) -> Result<Gravity, Problem> {
+    let key = Key::name("gravity");
+    let direction = Vec3::from(key.at("direction").direction(gravity.direction)?);
+    Ok(Gravity {
+        direction: direction.normalize_or(Vec3::NEG_Y),
+        strength: key.at("strength").within(gravity.strength, 0.0, 10.0)?,
+        center: key.at("center").vector(gravity.center)?,
+        center_strength: key.at("center_strength").within(gravity.center_strength, -10.0, 10.0)?,
+        blend: key.at("blend").within(gravity.blend, 0.0, 1.0)?,
+    })
+}
+
+fn culling(culling: &CullingFile) -> Result<Culling, Problem> {
+    let farthest = Key::name("culling").at("max_distance_m");
+    Ok(Culling {
+        frustum: culling.frustum,
+        distance: culling.distance,
+        orientation: culling.orientation,
+        occlusion: culling.occlusion,
+        paper: culling.paper,
+        max_distance_m: farthest.above_zero(culling.max_distance_m, f32::INFINITY)?,
+    })
+}
+
+/// Strongest wind, `beta`.
+const MAX_WIND: f32 = 20.0;
+
+fn wind_source(source: &WindFile, index: usize) -> Result<WindSource, Problem> {
+    let key = Key::list("wind", index);
+    match source {
+        WindFile::Waves(waves) => wave_source(waves, &key).map(WindSource::Waves),
+        WindFile::Gusts(gusts) => gust_source(gusts, &key).map(WindSource::Gusts),
+    }
+}
+
+fn wave_source(waves: &WavesFile, key: &Key) -> Result<Waves, Problem> {
+    Ok(Waves {
+        direction: Vec2::from(key.at("direction").direction(waves.direction)?),
+        mean: key.at("mean").within(waves.mean, 0.0, MAX_WIND)?,
+        amplitude: key.at("amplitude").within(waves.amplitude, 0.0, MAX_WIND)?,
+        wavelength_m: key.at("wavelength_m").above_zero(waves.wavelength_m, MAX_M)?,
+        speed_mps: key.at("speed_mps").within(waves.speed_mps, -100.0, 100.0)?,
+    })
+}
+
+fn gust_source(gusts: &GustsFile, key: &Key) -> Result<Gusts, Problem> {
+    Ok(Gusts {
+        direction: Vec2::from(key.at("direction").direction(gusts.direction)?),
+        strength: key.at("strength").within(gusts.strength, 0.0, MAX_WIND)?,
+        size_m: key.at("size_m").above_zero(gusts.size_m, MAX_M)?,
+        speed_mps: key.at("speed_mps").within(gusts.speed_mps, -100.0, 100.0)?,
+        turbulence: key.at("turbulence").within(gusts.turbulence, 0.0, 1.0)?,
+        seed: gusts.seed,
+    })
+}

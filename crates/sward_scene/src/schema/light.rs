@@ -1,0 +1,208 @@
+//! Keys for light, wind, gravity and culling.
+
+use super::Color;
+use serde::Deserialize;
+
+/// The sun.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct SunFile {
+    /// Where it stands, degrees: 0 is -z (north), 90 is +x (east), any value; default 215.
+    pub azimuth_deg: f32,
+    /// Height over the horizon, -90..=90; default 38. Lower is warmer in colour by hand only.
+    pub elevation_deg: f32,
+    /// Colour; default a warm white.
+    pub color: Color,
+    /// Irradiance, 0..=100; default 3.1.
+    pub strength: f32,
+}
+
+impl Default for SunFile {
+    fn default() -> Self {
+        Self {
+            azimuth_deg: 215.0,
+            elevation_deg: 38.0,
+            color: Color([1.0, 0.9, 0.74]),
+            strength: 3.1,
+        }
+    }
+}
+
+/// Sky and haze.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct SkyFile {
+    /// Background overhead; default a clear blue.
+    pub zenith: Color,
+    /// Background at the horizon, and the colour of haze; default a pale blue.
+    pub horizon: Color,
+    /// Light on upward faces.
+    pub ambient: Color,
+    /// Light on downward faces.
+    pub bounce: Color,
+    /// Times `zenith`, `horizon`, `ambient` and `bounce`, 0..=100; default 1.
+    pub strength: f32,
+    /// Distance at which haze hides 63 %, above 0; default `inf`, clear air.
+    pub haze_m: f32,
+}
+
+impl Default for SkyFile {
+    fn default() -> Self {
+        Self {
+            zenith: Color([0.16, 0.34, 0.72]),
+            horizon: Color([0.62, 0.74, 0.88]),
+            ambient: Color([0.55, 0.75, 1.0]),
+            bounce: Color([0.16, 0.17, 0.10]),
+            strength: 1.0,
+            haze_m: f32::INFINITY,
+        }
+    }
+}
+
+/// Look of bare ground.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct GroundFile {
+    /// Colour of objects that carry grass and set none; default a dark soil.
+    pub soil: Color,
+    /// How far that ground takes the grass's mean colour, 0..=1; default 0.7. Higher hides where
+    /// blades thin out, lower shows soil between them.
+    pub grass_tint: f32,
+}
+
+impl Default for GroundFile {
+    fn default() -> Self {
+        Self { soil: Color([0.055, 0.043, 0.028]), grass_tint: 0.7 }
+    }
+}
+
+/// Gravity: a direction, a centre, and the blend between them (J equations 4 to 6).
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct GravityFile {
+    /// Direction, any length but 0; default `(0, -1, 0)`.
+    pub direction: [f32; 3],
+    /// Strength of the direction, 0..=10; default 1, what a species' droop means.
+    pub strength: f32,
+    /// Centre; default `(0, 0, 0)`.
+    pub center: [f32; 3],
+    /// Strength of the centre, -10..=10; default 1.
+    pub center_strength: f32,
+    /// Blend, 0..=1: 0 (default) is the direction alone, 1 the centre alone.
+    pub blend: f32,
+}
+
+impl Default for GravityFile {
+    fn default() -> Self {
+        Self {
+            direction: [0.0, -1.0, 0.0],
+            strength: 1.0,
+            center: [0.0; 3],
+            center_strength: 1.0,
+            blend: 0.0,
+        }
+    }
+}
+
+/// Physical model.
+#[derive(Debug, Clone, Copy, Default, Deserialize)]
+pub enum PhysicsFile {
+    /// Exact step, length by projection, scale-free species.
+    #[default]
+    Sward,
+    /// Equations 1 to 16 of J, with the errata.
+    Paper,
+}
+
+/// Which tests cull blades.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct CullingFile {
+    /// Outside the view; default true.
+    pub frustum: bool,
+    /// Thinned by projected size; default true.
+    pub distance: bool,
+    /// Seen edge-on; default true.
+    pub orientation: bool,
+    /// Hidden by opaque objects; default true.
+    pub occlusion: bool,
+    /// The paper's own tests; default false.
+    pub paper: bool,
+    /// Farthest blade, above 0; default `inf`.
+    pub max_distance_m: f32,
+}
+
+impl Default for CullingFile {
+    fn default() -> Self {
+        Self {
+            frustum: true,
+            distance: true,
+            orientation: true,
+            occlusion: true,
+            paper: false,
+            max_distance_m: f32::INFINITY,
+        }
+    }
+}
+
+/// One term of the wind. Strengths are `beta`: 0.4 is a breeze, 1.2 a strong gust; 0..=20.
+#[derive(Debug, Clone, Deserialize)]
+pub enum WindFile {
+    /// A steady breeze with travelling waves on it.
+    Waves(WavesFile),
+    /// Noise that drifts with the wind.
+    Gusts(GustsFile),
+}
+
+/// Travelling waves.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct WavesFile {
+    /// Where the wind blows to, `(x, z)`, any length but 0; default `(1, 0.3)`.
+    pub direction: [f32; 2],
+    /// Steady strength; default 0.3.
+    pub mean: f32,
+    /// Strength of the waves; default 0.35. 0 is a steady wind.
+    pub amplitude: f32,
+    /// Distance between crests, above 0; default 14.
+    pub wavelength_m: f32,
+    /// Speed of the crests, -100..=100; default 6.
+    pub speed_mps: f32,
+}
+
+impl Default for WavesFile {
+    fn default() -> Self {
+        Self { direction: [1.0, 0.3], mean: 0.3, amplitude: 0.35, wavelength_m: 14.0, speed_mps: 6.0 }
+    }
+}
+
+/// Gusts.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct GustsFile {
+    /// Where the gusts drift to, `(x, z)`, any length but 0; default `(1, 0.3)`.
+    pub direction: [f32; 2],
+    /// Peak strength; default 0.5.
+    pub strength: f32,
+    /// Size of a gust, above 0; default 8.
+    pub size_m: f32,
+    /// Drift speed, -100..=100; default 5.
+    pub speed_mps: f32,
+    /// How much the direction veers inside a gust, 0..=1; default 0.4.
+    pub turbulence: f32,
+    /// Seed of the noise; default 1.
+    pub seed: u32,
+}
+
+impl Default for GustsFile {
+    fn default() -> Self {
+        Self {
+            direction: [1.0, 0.3],
+            strength: 0.5,
+            size_m: 8.0,
+            speed_mps: 5.0,
+            turbulence: 0.4,
+            seed: 1,
+        }
+    }
+}

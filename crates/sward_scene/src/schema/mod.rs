@@ -1,0 +1,160 @@
+//! The scene file: its keys, units, ranges and defaults. Unknown keys are errors; every key may be
+//! left out except where it says so. Distances are metres, angles degrees, y is up. Colours are
+//! `"#rrggbb"` (sRGB) or `(r, g, b)` (linear, 0..=1). A range is `(min, max)` or one number. Paths
+//! are relative to the scene file.
+
+mod field;
+mod light;
+mod object;
+mod source;
+mod value;
+
+pub use field::{
+    DensityMapFile, FieldFile, MetricFile, OrderFile, ShapeFile, SpeciesFile, TuftsFile,
+};
+pub use light::{
+    CullingFile, GravityFile, GroundFile, GustsFile, PhysicsFile, SkyFile, SunFile, WavesFile,
+    WindFile,
+};
+pub use object::{ObjectFile, Scale, ScatterFile};
+pub use source::{
+    HeightmapFile, MobiusFile, PlaneFile, RockFile, Source, SphereMeshFile, TerrainFile, TorusFile,
+    TreeFile,
+};
+pub use value::{Color, Span};
+
+use serde::Deserialize;
+
+/// The whole file.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct SceneFile {
+    /// Name; default: the file's stem.
+    pub name: Option<String>,
+    /// Opaque things; default none.
+    pub objects: Vec<ObjectFile>,
+    /// What grows; at least one is needed.
+    pub fields: Vec<FieldFile>,
+    /// Cameras, the first is the default; default: one that frames the first field.
+    pub cameras: Vec<CameraFile>,
+    /// Terms of the wind; default: a breeze with waves and gusts; `[]` is still air.
+    pub wind: Vec<WindFile>,
+    /// Spheres that push blades; default none.
+    pub spheres: Vec<SphereFile>,
+    /// The sun.
+    pub sun: SunFile,
+    /// Sky and haze.
+    pub sky: SkyFile,
+    /// Look of bare ground.
+    pub ground: GroundFile,
+    /// Gravity.
+    pub gravity: GravityFile,
+    /// Physical model: `Sward` (default) or `Paper`.
+    pub physics: PhysicsFile,
+    /// Which tests cull blades.
+    pub culling: CullingFile,
+    /// Seconds simulated before time 0, 0..=60; default 3. Longer starts later and in fuller motion.
+    pub warm_up_s: f32,
+    /// Frames a second, 1..=1000; default 30.
+    pub fps: f32,
+}
+
+impl Default for SceneFile {
+    fn default() -> Self {
+        Self {
+            name: None,
+            objects: Vec::new(),
+            fields: Vec::new(),
+            cameras: Vec::new(),
+            wind: vec![WindFile::Waves(WavesFile::default()), WindFile::Gusts(GustsFile::default())],
+            spheres: Vec::new(),
+            sun: SunFile::default(),
+            sky: SkyFile::default(),
+            ground: GroundFile::default(),
+            gravity: GravityFile::default(),
+            physics: PhysicsFile::default(),
+            culling: CullingFile::default(),
+            warm_up_s: 3.0,
+            fps: 30.0,
+        }
+    }
+}
+
+/// A camera.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CameraFile {
+    /// Name; default `camera N`, N from 0.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// Where it stands. Needed.
+    pub eye: [f32; 3],
+    /// What it looks at. Needed; must differ from `eye`.
+    pub target: [f32; 3],
+    /// Which way is up; default `(0, 1, 0)`; must not be along the line of sight.
+    #[serde(default = "up")]
+    pub up: [f32; 3],
+    /// Vertical field of view, 1..=170; default 50.
+    #[serde(default = "fov")]
+    pub vertical_fov_deg: f32,
+    /// Nearest distance drawn, above 0; default 0.1.
+    #[serde(default = "near")]
+    pub near_m: f32,
+    /// Farthest distance drawn, above `near_m`; default 1000.
+    #[serde(default = "far")]
+    pub far_m: f32,
+    /// An object by name: then the heights (y) of `eye` and `target` are above that object.
+    #[serde(default)]
+    pub above: Option<String>,
+}
+
+fn up() -> [f32; 3] {
+    [0.0, 1.0, 0.0]
+}
+fn fov() -> f32 {
+    50.0
+}
+fn near() -> f32 {
+    0.1
+}
+fn far() -> f32 {
+    1000.0
+}
+
+/// A sphere that pushes blades: `at` for one that rests, or `path` for one that moves.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct SphereFile {
+    /// Name; default `sphere N`.
+    pub name: Option<String>,
+    /// Radius, above 0; default 0.5.
+    pub radius_m: f32,
+    /// Centre of a sphere that rests; default `(0, 0, 0)`.
+    pub at: [f32; 3],
+    /// Keyframes `(time_s, x, y, z)` by rising time; default none. Straight in between.
+    pub path: Vec<(f32, f32, f32, f32)>,
+    /// An object by name: then y is the height of the sphere's lowest point above that object, and
+    /// the path follows it.
+    pub above: Option<String>,
+    /// Whether it is drawn; default true.
+    pub visible: bool,
+    /// Colour; default a warm grey.
+    pub base_color: Color,
+    /// Roughness, 0..=1; default 0.5.
+    pub roughness: f32,
+}
+
+impl Default for SphereFile {
+    fn default() -> Self {
+        Self {
+            name: None,
+            radius_m: 0.5,
+            at: [0.0; 3],
+            path: Vec::new(),
+            above: None,
+            visible: true,
+            base_color: Color([0.42, 0.38, 0.34]),
+            roughness: 0.5,
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Every scene that comes with the project loads, and is what it says.
+
+use std::path::{Path, PathBuf};
+use sward_scene::{Scene, load};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")
+}
+
+fn scene(name: &str) -> Scene {
+    load(&folder().join(name)).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn every_scene_loads() {
+    let mut seen = 0;
+    for entry in std::fs::read_dir(folder()).expect("scenes") {
+        let path = entry.expect("entry").path();
+        if path.extension().is_some_and(|extension| extension == "ron") {
+            let scene = load(&path).unwrap_or_else(|error| panic!("{error}"));
+            assert!(!scene.fields.is_empty() && !scene.cameras.is_empty(), "{}", path.display());
+            assert!(scene.notes.is_empty(), "{:?}", scene.notes);
+            seen += 1;
+        }
+    }
+    assert!(seen >= 5, "{seen} scenes in {}", folder().display());
+}
+
+#[test]
+fn the_smallest_scene_is_three_lines() {
+    let text = std::fs::read_to_string(folder().join("minimal.ron")).expect("minimal.ron");
+    assert_eq!(text.lines().count(), 3);
+    let scene = scene("minimal.ron");
+    let eye = scene.cameras[0].eye;
+    assert!(eye.is_finite() && eye.y.abs() < 10.0, "{eye}");
+}
+
+#[test]
+fn the_reference_is_the_authors_field() {
+    let scene = scene("reference.ron");
+    assert_eq!(scene.fields[0].desc.count, Some(397_881));
+    let species = &scene.fields[0].desc.species[0];
+    assert_eq!((species.height_m.min, species.height_m.max), (1.3, 2.5));
+    assert_eq!((species.width_m.min, species.width_m.max), (0.1, 0.14));
+    let positions = &scene.objects[scene.fields[0].object].mesh.positions;
+    let mean = positions.iter().map(|p| p.y).sum::<f32>() / positions.len() as f32;
+    assert!((mean + 2.5).abs() < 0.7, "{mean}");
+    let camera = &scene.cameras[0];
+    assert_eq!((camera.eye.to_array(), camera.vertical_fov_deg), ([0.0, 10.0, 50.0], 60.0));
+    let ahead = (camera.target - camera.eye).normalize();
+    assert_eq!(ahead.to_array(), [0.0, 0.0, -1.0]);
+}
+
+#[test]
+fn balls_roll_on_the_hills() {
+    let scene = scene("nature.ron");
+    assert_eq!(scene.spheres.len(), 2);
+    for sphere in &scene.spheres {
+        let (start, end) = (sphere.at(0.0).expect("start"), sphere.at(12.0).expect("end"));
+        assert!(start.center.distance(end.center) > 8.0);
+        assert!(sphere.path.len() > 100, "follows the ground");
+    }
+}
