@@ -377,13 +377,8 @@ pub fn no_culling(culling: Culling) -> Culling {
 
 /// The scene's light; haze takes the colour of the sky at the horizon.
 fn light(scene: &Scene, haze: bool) -> Light {
-    let mut light = scene.light();
-    light.haze = scene.sky.horizon;
-    light.haze_per_m = 0.0;
-    if haze && scene.sky.haze_m.is_finite() && scene.sky.haze_m > 0.0 {
-        light.haze_per_m = 1.0 / scene.sky.haze_m;
-    }
-    light
+    let light = scene.light();
+    if haze { light } else { Light { haze_per_m: 0.0, ..light } }
 }
 
 /// A module of the stage: `frame.wgsl` and the given parts.
