@@ -33,24 +33,11 @@ impl Fragment {
         (0..levels).rev().fold(Self::WHOLE, |f, level| f.child((digits >> (2 * level)) as u32 & 3))
     }
 
-    pub(crate) fn corners(self) -> [Vec2; 3] {
-        [
-            self.origin,
-            self.origin + Vec2::new(self.scale, 0.0),
-            self.origin + Vec2::new(0.0, self.scale),
-        ]
-    }
-
     /// A uniform point: barycentric weights by the square-root map.
     pub(crate) fn point(self, draws: &mut Draws) -> Vec2 {
         let root = draws.unit().sqrt();
         let along = draws.unit();
         self.origin + self.scale * root * Vec2::new(1.0 - along, along)
-    }
-
-    /// Size against the whole triangle: edges shrink by this, area by its square.
-    pub(crate) fn size(self) -> f32 {
-        self.scale.abs()
     }
 }
 

@@ -20,8 +20,10 @@ use rayon::prelude::*;
 
 /// Pieces whose longest edge is less than this share of the radius are given up.
 const FINEST: f32 = 0.02;
-/// Side of a cell, in radii. Two cells of one turn are a side apart, less the length of a piece
-/// (one radius) at either end: that must leave a radius, so 3 is the least.
+/// Longest edge of the first pieces, in radii: what is longer, no disk covers.
+const LONGEST: f32 = 2.0;
+/// Side of a cell, in radii. Two cells of one turn are a side apart, less the length of a piece at
+/// either end: that must leave a radius, so 5 is the least.
 const CELL: f64 = 8.0;
 
 /// Samples at least `radius_m` (straight-line) from each other, as many as find room.
@@ -48,7 +50,7 @@ fn turn_of(cell: Cell) -> i64 {
     (cell[0] & 1) | (cell[1] & 1) << 1 | (cell[2] & 1) << 2
 }
 
-/// The surface in pieces no longer than a radius, sorted by the cell of their middle.
+/// The surface in pieces that a disk may cover, sorted by the cell of their middle.
 fn pieces_by_cell(surface: &Surface, radius_m: f32) -> Vec<(Cell, Piece)> {
     let side_m = CELL * f64::from(radius_m);
     let mut pieces: Vec<(Cell, Piece)> = (0..surface.triangle_count() as u32)
@@ -60,7 +62,7 @@ fn pieces_by_cell(surface: &Surface, radius_m: f32) -> Vec<(Cell, Piece)> {
                 let corners = piece.corners(surface);
                 let (side, length) = longest(corners);
                 // The weights' precision bounds the depth: 2^-40 of the area.
-                if length > radius_m && open.len() < 40 {
+                if length > LONGEST * radius_m && open.len() < 40 {
                     open.extend(piece.halves(side));
                 } else {
                     let middle = (corners[0] + corners[1] + corners[2]).as_dvec3() / 3.0;
@@ -126,6 +128,7 @@ fn fill(
     }
     samples
 }
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -53,7 +53,8 @@ pub(super) fn longest([a, b, c]: [Vec3; 3]) -> (usize, f32) {
     (longest, lengths[longest])
 }
 
-const BUCKETS: usize = 64;
+/// Enough for pieces of all sizes down to the finest, slivers but for the thinnest.
+const BUCKETS: usize = 20;
 
 /// Pieces in buckets by area, each bucket for half the area of the one before.
 pub(super) struct Active<'a> {
