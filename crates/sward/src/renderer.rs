@@ -1,8 +1,25 @@
-//! The renderer: the host's whole interface. The frame function reads as the stage list.
+//! The renderer: the host's whole interface. `cull` reads as the list of stages.
 
-use crate::frame::wind::Wind;
-use crate::{Error, Field};
-use glam::{Mat4, Vec3};
+use crate::frame::collide::Collide;
+use crate::frame::compact::Compact;
+use crate::frame::cull::Cull;
+use crate::frame::draw::Draw;
+use crate::frame::draw::topology::vertices_by_bucket;
+use crate::frame::update::{Update, Work};
+use crate::gpu::buffers;
+use crate::gpu::limits;
+use crate::gpu::page::Page;
+use crate::gpu::statistics::{PageCounts, ReadBack};
+use crate::gpu::view::gpu_view;
+use crate::{Error, Field, Frame, PhysicsModel, Statistics, View};
+
+mod clock;
+mod inputs;
+mod layouts;
+
+use clock::Clock;
+use inputs::Inputs;
+pub(crate) use layouts::Layouts;
 
 /// Formats of the host's targets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,223 +32,287 @@ pub struct Targets {
     pub samples: u32,
 }
 
-/// A sphere that pushes blades aside.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sphere {
-    /// Centre, metres.
-    pub center: Vec3,
-    /// Radius, metres, above 0.
-    pub radius: f32,
-}
-
-/// Which physical model moves the blades.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum PhysicsModel {
-    /// Exact step, length by projection, scale-free species.
-    #[default]
-    Sward,
-    /// Equations 1 to 16 of J as printed, with the errata.
-    Paper,
-}
-
-/// Gravity (J equations 4 to 6): a direction, a centre, and the blend between them.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gravity {
-    /// Unit direction of the uniform part.
-    pub direction: Vec3,
-    /// Its strength; 1 is what a species' droop means.
-    pub strength: f32,
-    /// Centre that the other part pulls to.
-    pub center: Vec3,
-    /// Strength of that part.
-    pub center_strength: f32,
-    /// Blend: 0 is the direction alone, 1 the centre alone.
-    pub blend: f32,
-}
-
-impl Default for Gravity {
-    fn default() -> Self {
-        Self {
-            direction: Vec3::NEG_Y,
-            strength: 1.0,
-            center: Vec3::ZERO,
-            center_strength: 1.0,
-            blend: 0.0,
-        }
+impl Targets {
+    /// A colour format with a 32-bit depth, one sample a pixel.
+    pub fn single_sampled(color: wgpu::TextureFormat) -> Self {
+        Self { color, depth: wgpu::TextureFormat::Depth32Float, samples: 1 }
     }
 }
 
-/// Sun and sky for the built-in shading.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Light {
-    /// Unit direction from the ground to the sun.
-    pub to_sun: Vec3,
-    /// Sun's irradiance, linear RGB.
-    pub sun: Vec3,
-    /// Sky light from above.
-    pub sky: Vec3,
-    /// Light from the ground, below.
-    pub ground: Vec3,
+/// One stage of a frame, for hosts that time or interleave them; [`Renderer::cull`] runs
+/// `PatchCull`, `Update` and `Compact`, fused where that saves memory traffic.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Stage {
+    /// Patches that the view sees.
+    PatchCull,
+    /// Physics alone of the blades of those patches.
+    Physics,
+    /// Blade tests and level alone.
+    Visibility,
+    /// Physics, tests and level in one pass: the default.
+    Update,
+    /// Prefix sums and the draw list.
+    Compact,
 }
 
-impl Default for Light {
-    fn default() -> Self {
-        Self {
-            to_sun: Vec3::new(0.45, 0.55, -0.7).normalize(),
-            sun: Vec3::new(3.1, 2.8, 2.3),
-            sky: Vec3::new(0.55, 0.75, 1.05),
-            ground: Vec3::new(0.16, 0.17, 0.10),
-        }
-    }
-}
-
-/// What happens in one step of the simulation.
-#[derive(Debug, Clone)]
-pub struct Frame<'a> {
-    /// Seconds since the last step; clamped to 0..=10.
-    pub dt_s: f32,
-    /// The wind, already advanced by the host.
-    pub wind: &'a Wind,
-    /// Spheres that push blades.
-    pub spheres: &'a [Sphere],
-    /// Gravity.
-    pub gravity: Gravity,
-    /// Light for drawing.
-    pub light: Light,
-    /// Physical model.
-    pub physics: PhysicsModel,
-}
-
-/// Which tests cull blades, and how.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Culling {
-    /// Frustum test on patches and blades.
-    pub frustum: bool,
-    /// Thinning by projected size (or J equation 20).
-    pub distance: bool,
-    /// Blades seen edge-on.
-    pub orientation: bool,
-    /// Blades hidden by the opaque scene.
-    pub occlusion: bool,
-    /// The paper's own tests (J equations 17 to 20) instead of ours.
-    pub paper: bool,
-    /// Farthest distance that blades are drawn at, metres.
-    pub max_distance_m: f32,
-}
-
-impl Default for Culling {
-    fn default() -> Self {
-        Self {
-            frustum: true,
-            distance: true,
-            orientation: true,
-            occlusion: true,
-            paper: false,
-            max_distance_m: f32::INFINITY,
-        }
-    }
-}
-
-/// A camera or a shadow cascade that blades are culled for and drawn to.
-#[derive(Debug, Clone, Copy)]
-pub struct View<'a> {
-    /// World to view: right-handed, looking along -z.
-    pub view_from_world: Mat4,
-    /// View to clip, z in 0..w.
-    pub clip_from_view: Mat4,
-    /// Size of the target, pixels.
-    pub size: [u32; 2],
-    /// Depth of the opaque scene as seen from this view, for the occlusion test.
-    pub opaque_depth: Option<&'a wgpu::TextureView>,
-    /// Which tests.
-    pub culling: Culling,
-    /// Detail: 1 is the default; higher keeps more segments and thins later; infinity keeps all.
-    pub detail: f32,
-    /// Keep blades at least a pixel wide (J equation 24); off for supersampled references.
-    pub width_correction: bool,
-}
-
-/// Counted work of one frame, read back a frame or more late.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Statistics {
-    /// Blades of the field.
-    pub blades: u64,
-    /// Patches of the field.
-    pub patches: u64,
-    /// Patches that passed the coarse tests.
-    pub patches_visible: u64,
-    /// Blades in those patches.
-    pub blades_visible: u64,
-    /// Blades drawn.
-    pub blades_drawn: u64,
-    /// Failed the orientation test (a blade that fails two tests counts in both).
-    pub culled_orientation: u64,
-    /// Failed the frustum test.
-    pub culled_frustum: u64,
-    /// Failed the distance test.
-    pub culled_distance: u64,
-    /// Failed the occlusion test.
-    pub culled_occlusion: u64,
-    /// Survivors that did not fit the list.
-    pub dropped: u64,
-    /// Sphere tests made by the blades.
-    pub spheres_tested: u64,
-    /// Spheres beyond a patch's list.
-    pub spheres_dropped: u64,
-    /// Vertices drawn.
-    pub vertices: u64,
-}
+const FUSED: [Stage; 3] = [Stage::PatchCull, Stage::Update, Stage::Compact];
 
 /// Draws grown fields into a host's passes.
 #[derive(Debug)]
-pub struct Renderer {}
+pub struct Renderer {
+    layouts: Layouts,
+    collide: Collide,
+    cull: Cull,
+    update: Update,
+    compact: Compact,
+    draw: Draw,
+    inputs: Inputs,
+    clock: Clock,
+    model: PhysicsModel,
+    had_spheres: bool,
+    pages: Vec<Page>,
+    totals: Statistics,
+    read_back: ReadBack,
+}
 
 impl Renderer {
     /// Makes the pipelines.
     ///
     /// # Errors
     /// [`Error::Limit`] where the device lacks what they need.
-    pub fn new(_device: &wgpu::Device, _targets: Targets) -> Result<Self, Error> {
-        Ok(Self {})
+    pub fn new(device: &wgpu::Device, targets: Targets) -> Result<Self, Error> {
+        limits::check_device(&device.limits())?;
+        let layouts = Layouts::new(device);
+        Ok(Self {
+            collide: Collide::new(device, &layouts),
+            cull: Cull::new(device, &layouts),
+            update: Update::new(device, &layouts),
+            compact: Compact::new(device, &layouts),
+            draw: Draw::new(device, &layouts, targets),
+            inputs: Inputs::new(device, &layouts),
+            clock: Clock::default(),
+            model: PhysicsModel::default(),
+            had_spheres: false,
+            pages: Vec::new(),
+            totals: Statistics::default(),
+            read_back: ReadBack::default(),
+            layouts,
+        })
     }
+
+    /// Most blades that a field may have on a device: 16 pages of up to 4 million, fewer where
+    /// `max_storage_buffer_binding_size` holds fewer.
+    pub fn max_blades(limits: &wgpu::Limits, patch_size: u32) -> u64 {
+        limits::max_blades(limits, patch_size)
+    }
+
     /// Uploads a field; it is simulated and drawn from then on.
     ///
     /// # Errors
     /// [`Error::Limit`] where it does not fit the device.
-    pub fn add_field(
-        &mut self,
-        _device: &wgpu::Device,
-        _queue: &wgpu::Queue,
-        _field: &Field,
-    ) -> Result<(), Error> {
+    pub fn add_field(&mut self, device: &wgpu::Device, field: &Field) -> Result<(), Error> {
+        let available = device.limits();
+        let most = limits::max_blades(&available, field.patch_size());
+        let count = field.blades().len() as u64;
+        if count > most {
+            return Err(Error::Limit {
+                what: format!("a field of {count} blades"),
+                limit: "max_storage_buffer_binding_size",
+                needed: count.div_ceil(limits::MAX_PAGES_OF_A_FIELD) * 16,
+                available: available.max_storage_buffer_binding_size,
+                remedy: format!("{most} blades fit: lower the density"),
+            });
+        }
+        let patches_a_page = (limits::page_blades(&available, field.patch_size())
+            / u64::from(field.patch_size())) as usize;
+        let patch_count = field.patches().len();
+        for first in (0..patch_count).step_by(patches_a_page.max(1)) {
+            let range = first..(first + patches_a_page).min(patch_count);
+            let ticks = self.clock.ticks();
+            let page = Page::new(device, &self.layouts, field, range, self.model, ticks);
+            self.pages.push(page);
+        }
+        self.totals.blades += count;
+        self.totals.patches += patch_count as u64;
         Ok(())
     }
-    /// Advances time: wind, colliders, and the blades that colliders touch.
+
+    /// Advances time. Blades that colliders touch move now, the others when a view next sees them.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] for values that are not finite, [`Error::Limit`] for more wind sources
+    /// or spheres than fit.
     pub fn simulate(
         &mut self,
-        _device: &wgpu::Device,
-        _queue: &wgpu::Queue,
-        _encoder: &mut wgpu::CommandEncoder,
-        _frame: &Frame,
-    ) {
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &Frame,
+    ) -> Result<(), Error> {
+        if frame.physics != self.model {
+            self.model = frame.physics;
+            self.pages.iter().for_each(|page| page.reset(queue, self.model, self.clock.ticks()));
+        }
+        let dt_s = self.clock.advance(frame.dt_s);
+        let inputs = &mut self.inputs;
+        let spheres = inputs.write(device, encoder, &self.layouts, frame, &self.clock, dt_s)?;
+        if spheres || self.had_spheres {
+            self.wake_touched(device, encoder);
+        }
+        self.had_spheres = spheres;
+        Ok(())
     }
+
+    /// Lists the spheres near each patch and moves the blades of the patches that have some.
+    fn wake_touched(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
+        for index in 0..self.pages.len() {
+            self.ensure_view(device, index, 0, None);
+            let page = &self.pages[index];
+            encoder.copy_buffer_to_buffer(&page.work_reset, 0, &page.work_size, 0, 32);
+            let mut pass = begin(encoder, "sward.collide");
+            pass.set_bind_group(0, self.inputs.group(), &[]);
+            pass.set_bind_group(1, &page.group, &[]);
+            pass.set_bind_group(3, &self.layouts.no_depth, &[]);
+            self.collide.encode(&mut pass, page);
+            self.update.encode(&mut pass, page, &page.views[0], Work::Simulate, false);
+        }
+    }
+
+    fn ensure_view(&mut self, device: &wgpu::Device, page: usize, view: usize, cap: Option<u32>) {
+        let page = &mut self.pages[page];
+        let all = page.field.blade_count;
+        let kept = page.views.get(view).map_or(all, |v| v.capacity);
+        // A view keeps its size until it is asked for another
+        let capacity =
+            cap.map_or(if view == 0 && cap.is_none() { kept } else { all }, |c| c.min(all));
+        page.ensure_view(device, &self.layouts, view, capacity, &self.draw.blade_indices);
+    }
+
     /// Brings the blades that the views see up to date, tests them and makes the draw lists.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] for a view that is no camera.
     pub fn cull(
         &mut self,
-        _device: &wgpu::Device,
-        _queue: &wgpu::Queue,
-        _encoder: &mut wgpu::CommandEncoder,
-        _views: &[View],
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        views: &[View],
+    ) -> Result<(), Error> {
+        for (index, view) in views.iter().enumerate() {
+            self.prepare_view(device, encoder, index, view)?;
+            for stage in FUSED {
+                self.encode_stage(device, encoder, stage, index, view);
+            }
+            if index == 0 {
+                self.record_statistics(device, encoder);
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes a view's settings; the first thing to do for a view whose stages are encoded singly.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] for a view that is no camera.
+    pub fn prepare_view(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        index: usize,
+        view: &View,
+    ) -> Result<(), Error> {
+        for page in 0..self.pages.len() {
+            // Views are numbered without gaps
+            for earlier in self.pages[page].views.len()..index {
+                self.ensure_view(device, page, earlier, Some(0));
+            }
+            let all = self.pages[page].field.blade_count;
+            self.ensure_view(device, page, index, Some(view.max_blades.unwrap_or(all)));
+            let lists = &self.pages[page].views[index];
+            let uniform = gpu_view(view, lists.capacity)?;
+            buffers::write(device, encoder, &lists.view, bytemuck::bytes_of(&uniform));
+        }
+        Ok(())
+    }
+
+    /// Encodes one stage of one view over all pages. Stages of a view go in the order of
+    /// [`Stage`], and those of one view before those of the next.
+    pub fn encode_stage(
+        &self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        stage: Stage,
+        index: usize,
+        view: &View,
     ) {
+        let (depth, multisampled) = self.layouts.depth_group(device, view.opaque_depth);
+        for page in &self.pages {
+            let Some(lists) = page.views.get(index) else { continue };
+            if stage == Stage::PatchCull {
+                encoder.copy_buffer_to_buffer(&page.work_reset, 0, &page.work_size, 0, 32);
+            }
+            let mut pass = begin(encoder, "sward.frame");
+            pass.set_bind_group(0, self.inputs.group(), &[]);
+            pass.set_bind_group(1, &page.group, &[]);
+            pass.set_bind_group(3, depth.as_ref().unwrap_or(&self.layouts.no_depth), &[]);
+            let mut update = |work| self.update.encode(&mut pass, page, lists, work, multisampled);
+            match stage {
+                Stage::PatchCull => self.cull.encode(&mut pass, page, lists),
+                Stage::Physics => update(Work::Simulate),
+                Stage::Visibility => update(Work::Test),
+                Stage::Update => update(Work::Both),
+                Stage::Compact => self.compact.encode(&mut pass, page, lists),
+            }
+        }
     }
-    /// Draws the blades of a view into the host's pass.
-    pub fn draw(&self, _pass: &mut wgpu::RenderPass, _view: usize) {}
-    /// The newest statistics that have come back; never waits.
-    pub fn statistics(&mut self, _device: &wgpu::Device) -> Option<Statistics> {
-        None
+
+    fn record_statistics(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
+        let counts: Vec<_> = self
+            .pages
+            .iter()
+            .filter_map(|page| {
+                let lists = page.views.first()?;
+                let (counted, draws) = (&lists.counted, &lists.draws);
+                Some(PageCounts { counted, draws, work_size: &page.work_size })
+            })
+            .collect();
+        self.read_back.record(device, encoder, &counts);
     }
-    /// Bytes of all GPU allocations, and those that grow with the blades.
+
+    /// Draws the blades of a view into the host's pass, whose targets are those of
+    /// [`Renderer::new`].
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, view: usize) {
+        pass.set_bind_group(0, self.inputs.draw_group(), &[]);
+        for page in &self.pages {
+            self.draw.encode(pass, page, view);
+        }
+    }
+
+    /// The newest counts of view 0 that have come back, a frame or more late; never waits.
+    pub fn statistics(&mut self, device: &wgpu::Device) -> Option<Statistics> {
+        // A poll that finds nothing is no error, and a lost device has nothing to report
+        let _ = device.poll(wgpu::PollType::Poll);
+        let counted = self.read_back.collect(&vertices_by_bucket())?;
+        let Statistics { blades, patches, .. } = self.totals;
+        Some(Statistics { blades, patches, ..counted })
+    }
+
+    /// Bytes of all buffers that grow with the blades, lists included.
     pub fn gpu_bytes(&self) -> u64 {
-        0
+        self.pages.iter().map(|page| page.bytes() + page.list_bytes()).sum()
     }
+
+    /// The pages, for tests.
+    #[cfg(test)]
+    pub(crate) fn pages(&self) -> &[Page] {
+        &self.pages
+    }
+}
+
+fn begin<'e>(encoder: &'e mut wgpu::CommandEncoder, label: &str) -> wgpu::ComputePass<'e> {
+    encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+        label: Some(label),
+        timestamp_writes: None,
+    })
 }

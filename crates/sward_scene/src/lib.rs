@@ -140,6 +140,8 @@ impl Scene {
             sun: self.light.irradiance,
             sky: self.sky.ambient,
             ground: self.sky.bounce,
+            haze: self.sky.horizon,
+            haze_per_m: 1.0 / self.sky.haze_m,
         }
     }
 

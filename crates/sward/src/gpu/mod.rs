@@ -1,1 +1,16 @@
-//! What the stages share on the GPU: layout, buffers, capabilities.
+//! What the stages share on the GPU: layout, buffers, bindings, capabilities.
+
+pub mod bindings;
+pub mod buffers;
+pub mod layout;
+pub mod limits;
+pub mod page;
+pub mod quantize;
+pub mod shaders;
+pub mod statistics;
+pub mod view;
+
+#[cfg(test)]
+mod layout_tests;
+#[cfg(test)]
+pub(crate) mod test_device;

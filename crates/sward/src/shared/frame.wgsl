@@ -9,7 +9,10 @@ struct GpuFrame {
     to_sun: vec4<f32>,
     sun: vec4<f32>,
     sky: vec4<f32>,
+    // rgb light from below, w unused
     ground: vec4<f32>,
+    // rgb colour that distance fades to, w share lost a metre
+    haze: vec4<f32>,
     // Seconds of this step
     dt_s: f32,
     // Blend between gravity's direction (0) and centre (1)
@@ -44,5 +47,5 @@ struct GpuWindSource {
 }
 
 @group(0) @binding(0) var<uniform> frame: GpuFrame;
-@group(0) @binding(1) var<storage, read> wind_sources: array<GpuWindSource>;
+@group(0) @binding(1) var<uniform> wind_sources: array<GpuWindSource, 64>;
 @group(0) @binding(2) var<storage, read> spheres: array<vec4<f32>>;

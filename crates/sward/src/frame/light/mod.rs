@@ -1,1 +1,1 @@
-//! The light stage.
+//! WGSL functions of the light stage, which `update` and `draw` call.

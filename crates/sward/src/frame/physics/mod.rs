@@ -1,1 +1,4 @@
 //! The physics stage.
+
+pub mod paper_twin;
+pub mod twin;

@@ -1,0 +1,121 @@
+//! Times of whole frames, and of their stages.
+//!
+//! A whole frame is recorded as a program would: all stages in one submission. Stages are timed in
+//! frames of their own, each submitted and waited for, with physics and visibility apart: their
+//! sum is above the whole frame's time. No timestamp queries: some drivers' are wrong.
+
+use anyhow::Result;
+use std::time::Instant;
+use sward::Statistics;
+use sward_app::gpu::Gpu;
+use sward_app::stage::Stage;
+
+const DT_S: f64 = 1.0 / 60.0;
+
+/// Milliseconds, one value a frame.
+#[derive(Debug, Default)]
+pub struct Times {
+    /// Whole frames.
+    pub frame: Vec<f32>,
+    /// Wind, contact, blade physics.
+    pub physics: Vec<f32>,
+    /// Tests, levels, draw lists.
+    pub visibility: Vec<f32>,
+    /// Opaque things, grass, sky.
+    pub draw: Vec<f32>,
+    /// Tone mapping.
+    pub post: Vec<f32>,
+}
+
+/// Measures `frames` whole frames and as many by stage, after a warm-up.
+pub fn measure(
+    gpu: &Gpu,
+    stage: &mut Stage,
+    frames: u32,
+    still: bool,
+    progress: &dyn Fn(),
+) -> Result<Times> {
+    let dt_s = if still { 0.0 } else { DT_S };
+    let mut times = Times::default();
+    for i in 0..frames + frames.min(20) {
+        let ms = whole_frame(gpu, stage, dt_s)?;
+        if i >= frames.min(20) {
+            times.frame.push(ms);
+        }
+        progress();
+    }
+    for _ in 0..frames {
+        by_stage(gpu, stage, dt_s, &mut times)?;
+        progress();
+    }
+    Ok(times)
+}
+
+fn whole_frame(gpu: &Gpu, stage: &mut Stage, dt_s: f64) -> Result<f32> {
+    time_stage(gpu, stage, |stage, encoder| {
+        stage.encode_simulate(encoder, dt_s)?;
+        stage.encode_opaque(encoder);
+        stage.encode_cull(encoder)?;
+        stage.encode_draw(encoder);
+        stage.encode_post(encoder);
+        Ok(())
+    })
+}
+
+fn by_stage(gpu: &Gpu, stage: &mut Stage, dt_s: f64, times: &mut Times) -> Result<()> {
+    use sward::Stage::{Compact, PatchCull, Physics, Visibility};
+    let mut one = |stage: &mut Stage, which| {
+        time_stage(gpu, stage, |stage, encoder| {
+            stage.encode_stage(encoder, which);
+            Ok(())
+        })
+    };
+    let simulate = time_stage(gpu, stage, |stage, encoder| stage.encode_simulate(encoder, dt_s))?;
+    let opaque = time_stage(gpu, stage, |stage, encoder| {
+        stage.encode_opaque(encoder);
+        Ok(())
+    })?;
+    // Writes settings only; part of no stage.
+    time_stage(gpu, stage, Stage::encode_prepare)?;
+    let patch_cull = one(stage, PatchCull)?;
+    let physics = one(stage, Physics)?;
+    let visibility = one(stage, Visibility)?;
+    let compact = one(stage, Compact)?;
+    let draw = time_stage(gpu, stage, |stage, encoder| {
+        stage.encode_draw(encoder);
+        Ok(())
+    })?;
+    let post = time_stage(gpu, stage, |stage, encoder| {
+        stage.encode_post(encoder);
+        Ok(())
+    })?;
+    times.physics.push(simulate + physics);
+    times.visibility.push(patch_cull + visibility + compact);
+    times.draw.push(opaque + draw);
+    times.post.push(post);
+    Ok(())
+}
+
+/// Milliseconds from recording to the end of the work on the device.
+fn time_stage(
+    gpu: &Gpu,
+    stage: &mut Stage,
+    record: impl FnOnce(&mut Stage, &mut wgpu::CommandEncoder) -> Result<()>,
+) -> Result<f32> {
+    let start = Instant::now();
+    let mut encoder = stage.encoder();
+    record(stage, &mut encoder)?;
+    stage.submit(encoder);
+    gpu.wait()?;
+    Ok(start.elapsed().as_secs_f32() * 1e3)
+}
+
+/// Counts of a frame, which come back a few frames late.
+pub fn statistics(gpu: &Gpu, stage: &mut Stage, still: bool) -> Result<Option<Statistics>> {
+    let mut newest = stage.statistics();
+    for _ in 0..4 {
+        whole_frame(gpu, stage, if still { 0.0 } else { DT_S })?;
+        newest = stage.statistics().or(newest);
+    }
+    Ok(newest)
+}

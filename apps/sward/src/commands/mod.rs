@@ -1,0 +1,48 @@
+//! The subcommands, one module each.
+
+mod bench;
+mod check;
+mod compare;
+mod info;
+mod render;
+
+use crate::progress;
+use anyhow::Result;
+use std::path::Path;
+use std::time::Instant;
+use sward::Field;
+use sward_app::grow::{GrowOptions, grow};
+use sward_scene::Scene;
+
+/// What to do.
+#[derive(Debug, clap::Subcommand)]
+pub enum Command {
+    Render(render::Args),
+    Bench(bench::Args),
+    Check(check::Args),
+    Compare(compare::Args),
+    Info(info::Args),
+}
+
+/// Runs a subcommand.
+pub fn run(command: Command, quiet: bool) -> Result<()> {
+    match command {
+        Command::Render(args) => render::run(args, quiet),
+        Command::Bench(args) => bench::run(args, quiet),
+        Command::Check(args) => check::run(args, quiet),
+        Command::Compare(args) => compare::run(args),
+        Command::Info(args) => info::run(args),
+    }
+}
+
+fn load(path: &Path) -> Result<Scene> {
+    Ok(sward_scene::load(path)?)
+}
+
+/// Grows with a spinner; says how many seconds it took.
+fn grow_timed(scene: &Scene, options: GrowOptions, quiet: bool) -> Result<(Vec<Field>, f64)> {
+    let _spinner = progress::spinner(quiet, "growing");
+    let start = Instant::now();
+    let fields = grow(scene, options)?;
+    Ok((fields, start.elapsed().as_secs_f64()))
+}

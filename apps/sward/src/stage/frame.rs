@@ -1,0 +1,159 @@
+//! What every pass round the grass reads: camera, light, settings.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec2, Vec3, Vec4};
+use sward::Light;
+use sward_scene::{Camera, Scene};
+use wgpu::util::DeviceExt;
+
+/// The WGSL twin is `GpuStageFrame` in `frame.wgsl`; a test compares the two.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub(super) struct GpuStageFrame {
+    clip_from_world: Mat4,
+    view_from_clip: Mat4,
+    world_from_view: Mat4,
+    eye: Vec4,
+    to_sun: Vec4,
+    sun: Vec4,
+    sky: Vec4,
+    ground: Vec4,
+    zenith: Vec4,
+    horizon: Vec4,
+    haze: Vec4,
+    exposure: f32,
+    weight: f32,
+    reserved: Vec2,
+}
+
+/// The frame's uniform buffer and its bind group, group 0 of every pass of the stage.
+#[derive(Debug)]
+pub(super) struct FrameUniform {
+    values: GpuStageFrame,
+    buffer: wgpu::Buffer,
+    pub layout: wgpu::BindGroupLayout,
+    pub group: wgpu::BindGroup,
+}
+
+/// A camera's two matrices for a target of a size.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CameraMatrices {
+    pub view_from_world: Mat4,
+    pub clip_from_view: Mat4,
+}
+
+impl CameraMatrices {
+    /// `jitter_px` shifts the picture by parts of a pixel.
+    pub fn new(camera: &Camera, [width, height]: [u32; 2], jitter_px: Vec2) -> Self {
+        let shift = jitter_px * 2.0 / Vec2::new(width as f32, height as f32);
+        let jitter = Mat4::from_translation(Vec3::new(shift.x, shift.y, 0.0));
+        Self {
+            view_from_world: camera.view_from_world(),
+            clip_from_view: jitter * camera.clip_from_view(width as f32 / height as f32),
+        }
+    }
+}
+
+impl FrameUniform {
+    pub fn new(device: &wgpu::Device, scene: &Scene, light: &Light) -> Self {
+        let values = GpuStageFrame {
+            clip_from_world: Mat4::IDENTITY,
+            view_from_clip: Mat4::IDENTITY,
+            world_from_view: Mat4::IDENTITY,
+            eye: Vec4::ZERO,
+            to_sun: light.to_sun.extend(0.0),
+            sun: light.sun.extend(0.0),
+            sky: light.sky.extend(0.0),
+            ground: light.ground.extend(0.0),
+            zenith: scene.sky.zenith.extend(0.0),
+            horizon: scene.sky.horizon.extend(0.0),
+            haze: light.haze.extend(light.haze_per_m),
+            exposure: 1.0,
+            weight: 1.0,
+            reserved: Vec2::ZERO,
+        };
+        let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("sward.stage.frame"),
+            contents: bytemuck::bytes_of(&values),
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        });
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("sward.stage.frame"),
+            entries: &[wgpu::BindGroupLayoutEntry {
+                binding: 0,
+                visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+                ty: wgpu::BindingType::Buffer {
+                    ty: wgpu::BufferBindingType::Uniform,
+                    has_dynamic_offset: false,
+                    min_binding_size: None,
+                },
+                count: None,
+            }],
+        });
+        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("sward.stage.frame"),
+            layout: &layout,
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
+        });
+        Self { values, buffer, layout, group }
+    }
+
+    /// Takes effect with the next submission.
+    pub fn write(&mut self, queue: &wgpu::Queue, camera: CameraMatrices, weight: f32) {
+        let world_from_view = camera.view_from_world.inverse();
+        self.values.clip_from_world = camera.clip_from_view * camera.view_from_world;
+        self.values.view_from_clip = camera.clip_from_view.inverse();
+        self.values.world_from_view = world_from_view;
+        self.values.eye = world_from_view.w_axis;
+        self.values.weight = weight;
+        queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(&self.values));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::mem::offset_of;
+
+    #[test]
+    fn layout_equals_the_shaders() {
+        let module = naga::front::wgsl::parse_str(include_str!("frame.wgsl")).unwrap();
+        let (members, span) = module
+            .types
+            .iter()
+            .find_map(|(_, ty)| match &ty.inner {
+                naga::TypeInner::Struct { members, span }
+                    if ty.name.as_deref() == Some("GpuStageFrame") =>
+                {
+                    Some((members, *span))
+                }
+                _ => None,
+            })
+            .unwrap();
+        macro_rules! fields {
+            ($($name:ident),*) => { vec![$((stringify!($name), offset_of!(GpuStageFrame, $name))),*] };
+        }
+        let ours = fields![
+            clip_from_world,
+            view_from_clip,
+            world_from_view,
+            eye,
+            to_sun,
+            sun,
+            sky,
+            ground,
+            zenith,
+            horizon,
+            haze,
+            exposure,
+            weight,
+            reserved
+        ];
+        let theirs: Vec<_> = members
+            .iter()
+            .map(|m| (m.name.as_deref().unwrap_or_default(), m.offset as usize))
+            .collect();
+        assert_eq!(ours, theirs);
+        assert_eq!(size_of::<GpuStageFrame>(), span as usize);
+    }
+}

@@ -1,0 +1,34 @@
+// What every pass round the grass reads: group 0.
+
+struct GpuStageFrame {
+    clip_from_world: mat4x4<f32>,
+    view_from_clip: mat4x4<f32>,
+    world_from_view: mat4x4<f32>,
+    // Metres
+    eye: vec4<f32>,
+    // Unit direction from the ground to the sun
+    to_sun: vec4<f32>,
+    // Irradiance of the sun, of the sky from above, of the ground from below
+    sun: vec4<f32>,
+    sky: vec4<f32>,
+    ground: vec4<f32>,
+    // Radiance of the background overhead and at the horizon
+    zenith: vec4<f32>,
+    horizon: vec4<f32>,
+    // rgb colour of the haze, w share of the light lost to it a metre
+    haze: vec4<f32>,
+    exposure: f32,
+    // Weight of this picture in the accumulated one
+    weight: f32,
+    reserved: vec2<f32>,
+}
+
+@group(0) @binding(0) var<uniform> frame: GpuStageFrame;
+
+const PI = 3.14159265;
+
+// Unit direction, in the world, of the ray through a point of the screen.
+fn ray(ndc: vec2<f32>) -> vec3<f32> {
+    let far = frame.view_from_clip * vec4(ndc, 1.0, 1.0);
+    return normalize((frame.world_from_view * vec4(far.xyz / far.w, 0.0)).xyz);
+}

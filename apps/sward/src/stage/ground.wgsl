@@ -1,0 +1,60 @@
+// Ground that carries grass: soil and short growth in patches, so that what shows between the
+// blades, and beyond them, is not one flat colour.
+
+fn hash3(cell: vec3<i32>) -> f32 {
+    var h = bitcast<u32>(cell.x) * 0x8da6b343u + bitcast<u32>(cell.y) * 0xd8163841u
+        + bitcast<u32>(cell.z) * 0xcb1ab31fu;
+    h = (h ^ (h >> 15u)) * 0x2c1b3c6du;
+    h = (h ^ (h >> 12u)) * 0x297a2d39u;
+    return f32((h ^ (h >> 15u)) >> 8u) / 16777216.0;
+}
+
+fn value_noise(p: vec3<f32>) -> f32 {
+    let cell = vec3<i32>(floor(p));
+    let f = fract(p);
+    let s = f * f * (3.0 - 2.0 * f);
+    var layer: array<f32, 4>;
+    for (var i = 0; i < 4; i++) {
+        let corner = cell + vec3(0, i & 1, i >> 1u);
+        layer[i] = mix(hash3(corner), hash3(corner + vec3(1, 0, 0)), s.x);
+    }
+    return mix(mix(layer[0], layer[1], s.y), mix(layer[2], layer[3], s.y), s.z);
+}
+
+const TURN = mat3x3<f32>(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);
+
+// Noise of one size, faded to its mean where it would be smaller than two pixels.
+fn octave(p: vec3<f32>, size_m: f32, pixel_m: f32) -> f32 {
+    let kept = 1.0 - smoothstep(0.25, 0.6, pixel_m / size_m);
+    if kept <= 0.0 {
+        return 0.5;
+    }
+    // Turned away from the axes, on which the noise's lattice would show.
+    return mix(0.5, value_noise(TURN * p / size_m), kept);
+}
+
+struct Ground {
+    albedo: vec3<f32>,
+    normal: vec3<f32>,
+}
+
+fn ground_material(p: vec3<f32>, normal: vec3<f32>, soil: vec3<f32>, grass: vec4<f32>, pixel_m: f32) -> Ground {
+    let broad = octave(p, 4.7, pixel_m);
+    let middle = octave(p + 17.3, 0.83, pixel_m);
+    let fine = octave(p + 31.9, 0.12, pixel_m);
+    let grain = octave(p + 5.1, 0.027, pixel_m);
+    let cover = clamp(grass.w + (broad - 0.5) * 0.5 + (middle - 0.5) * 0.6 + (fine - 0.5) * 0.5, 0.0, 1.0);
+    let share = mix(cover, grass.w, 0.35);
+    let shade = 0.55 + 0.3 * middle + 0.35 * fine + 0.25 * grain;
+    let earth = soil * (0.5 + 0.6 * middle + 0.4 * grain);
+    let albedo = mix(earth, grass.rgb * shade, share);
+    // Relief from differences of the fine noise.
+    let e = 0.03;
+    let slope = vec3(
+        octave(p + vec3(e, 0.0, 0.0) + 31.9, 0.12, pixel_m) - fine,
+        octave(p + vec3(0.0, e, 0.0) + 31.9, 0.12, pixel_m) - fine,
+        octave(p + vec3(0.0, 0.0, e) + 31.9, 0.12, pixel_m) - fine,
+    );
+    let along = slope - normal * dot(slope, normal);
+    return Ground(albedo, normalize(normal - along * 1.3));
+}

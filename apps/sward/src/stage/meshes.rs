@@ -1,0 +1,216 @@
+//! Meshes of the scene's opaque things on the GPU.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Vec2, Vec3};
+use sward::{Mesh, Sphere};
+use sward_scene::{MovingSphere, Scene};
+use wgpu::util::DeviceExt;
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+struct GpuVertex {
+    position: Vec3,
+    normal: Vec3,
+    uv: Vec2,
+    color: [f32; 4],
+}
+
+/// Where a mesh stands and what it is made of.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub(super) struct GpuPlacement {
+    pub position: Vec3,
+    pub scale: f32,
+    pub color: [f32; 3],
+    pub roughness: f32,
+    /// RGB and share of the grass on it; a share below 0 means none.
+    pub grass: [f32; 4],
+}
+
+/// Vertex buffers of the opaque pass.
+pub(super) const VERTEX_BUFFERS: [Option<wgpu::VertexBufferLayout<'static>>; 2] = [
+    Some(wgpu::VertexBufferLayout {
+        array_stride: size_of::<GpuVertex>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &wgpu::vertex_attr_array![
+            0 => Float32x3, 1 => Float32x3, 2 => Float32x2, 3 => Float32x4
+        ],
+    }),
+    Some(wgpu::VertexBufferLayout {
+        array_stride: size_of::<GpuPlacement>() as u64,
+        step_mode: wgpu::VertexStepMode::Instance,
+        attributes: &wgpu::vertex_attr_array![4 => Float32x4, 5 => Float32x4, 6 => Float32x4],
+    }),
+];
+
+/// A mesh with the places where it stands.
+#[derive(Debug)]
+pub(super) struct GpuMesh {
+    vertices: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    index_count: u32,
+    placements: wgpu::Buffer,
+    placement_count: u32,
+    pub texture: wgpu::BindGroup,
+}
+
+impl GpuMesh {
+    /// `mesh` must have normals.
+    pub fn new(
+        device: &wgpu::Device,
+        mesh: &Mesh,
+        placements: &[GpuPlacement],
+        texture: wgpu::BindGroup,
+    ) -> Self {
+        let vertices: Vec<_> = (0..mesh.positions.len())
+            .map(|i| GpuVertex {
+                position: mesh.positions[i],
+                normal: mesh.normals.get(i).copied().unwrap_or(Vec3::Y),
+                uv: mesh.uvs.get(i).copied().unwrap_or(Vec2::ZERO),
+                color: mesh.colors.get(i).copied().unwrap_or([1.0; 4]),
+            })
+            .collect();
+        let buffer = |contents: &[u8], usage| {
+            device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: Some("sward.stage.mesh"),
+                contents,
+                usage,
+            })
+        };
+        use wgpu::BufferUsages as U;
+        Self {
+            vertices: buffer(bytemuck::cast_slice(&vertices), U::VERTEX),
+            indices: buffer(bytemuck::cast_slice(&mesh.triangles), U::INDEX),
+            index_count: mesh.triangles.len() as u32 * 3,
+            placements: buffer(bytemuck::cast_slice(placements), U::VERTEX | U::COPY_DST),
+            placement_count: placements.len() as u32,
+            texture,
+        }
+    }
+
+    /// Moves the instances; as many as there were.
+    pub fn place(&self, queue: &wgpu::Queue, placements: &[GpuPlacement]) {
+        queue.write_buffer(&self.placements, 0, bytemuck::cast_slice(placements));
+    }
+
+    pub fn draw(&self, pass: &mut wgpu::RenderPass) {
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_vertex_buffer(1, self.placements.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..self.index_count, 0, 0..self.placement_count);
+    }
+}
+
+/// The mesh of an object, normals made where it has none.
+pub(super) fn with_normals(mesh: &Mesh) -> Mesh {
+    let mut mesh = mesh.clone();
+    if mesh.normals.len() == mesh.positions.len() {
+        return mesh;
+    }
+    let mut normals = vec![Vec3::ZERO; mesh.positions.len()];
+    for triangle in &mesh.triangles {
+        let [a, b, c] = triangle.map(|i| mesh.positions[i as usize]);
+        let weighted = (b - a).cross(c - a);
+        triangle.iter().for_each(|&i| normals[i as usize] += weighted);
+    }
+    mesh.normals = normals.into_iter().map(|n| n.normalize_or(Vec3::Y)).collect();
+    mesh
+}
+
+/// Places of the spheres that show.
+pub(super) fn sphere_placements(spheres: &[MovingSphere], time_s: f32) -> Vec<GpuPlacement> {
+    let place = |sphere: &MovingSphere| {
+        let Sphere { center, radius } = sphere.at(time_s)?;
+        Some(GpuPlacement {
+            position: center,
+            scale: radius,
+            color: sphere.base_color,
+            roughness: sphere.roughness,
+            grass: [0.0, 0.0, 0.0, -1.0],
+        })
+    };
+    spheres.iter().filter(|sphere| sphere.visible).filter_map(place).collect()
+}
+
+/// Place and material of an object; ground takes the mean colour of the grass that grows on it.
+pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
+    let object = &scene.objects[index];
+    let mut grass = [0.0, 0.0, 0.0, -1.0];
+    if object.carries_grass {
+        let [r, g, b] = mean_grass_color(scene, index);
+        grass = [r, g, b, scene.ground.grass_tint];
+    }
+    GpuPlacement {
+        position: Vec3::ZERO,
+        scale: 1.0,
+        color: object.base_color,
+        roughness: object.roughness,
+        grass,
+    }
+}
+
+/// Mean over the species of the fields on an object, by their shares. The root's colour counts as
+/// much as the tip's: seen from above roots are half hidden, but half of a blade is root.
+fn mean_grass_color(scene: &Scene, object: usize) -> [f32; 3] {
+    let mut sum = Vec3::ZERO;
+    let mut shares = 0.0;
+    for species in scene.fields.iter().filter(|f| f.object == object).flat_map(|f| &f.desc.species)
+    {
+        let ends = [&species.root_color, &species.tip_color];
+        let colors = ends.iter().flat_map(|range| [range.from, range.to]).map(Vec3::from);
+        sum += colors.sum::<Vec3>() * 0.25 * species.share;
+        shares += species.share;
+    }
+    (sum / shares.max(f32::MIN_POSITIVE)).into()
+}
+
+/// A unit sphere of latitudes and longitudes.
+pub(super) fn unit_sphere() -> Mesh {
+    const RINGS: u32 = 32;
+    const SECTORS: u32 = 64;
+    let mut mesh = Mesh::default();
+    for ring in 0..=RINGS {
+        let (sin_t, cos_t) = (std::f32::consts::PI * ring as f32 / RINGS as f32).sin_cos();
+        for sector in 0..=SECTORS {
+            let (sin_p, cos_p) = (std::f32::consts::TAU * sector as f32 / SECTORS as f32).sin_cos();
+            mesh.positions.push(Vec3::new(sin_t * cos_p, cos_t, -sin_t * sin_p));
+        }
+    }
+    for ring in 0..RINGS {
+        for sector in 0..SECTORS {
+            let a = ring * (SECTORS + 1) + sector;
+            let b = a + SECTORS + 1;
+            mesh.triangles.extend([[a, b, b + 1], [a, b + 1, a + 1]]);
+        }
+    }
+    mesh.normals = mesh.positions.clone();
+    mesh
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sphere_is_closed_and_faces_outward() {
+        let sphere = unit_sphere();
+        let volume: f32 = sphere
+            .triangles
+            .iter()
+            .map(|t| t.map(|i| sphere.positions[i as usize]))
+            .map(|[a, b, c]| a.dot(b.cross(c)) / 6.0)
+            .sum();
+        let full = 4.0 / 3.0 * std::f32::consts::PI;
+        assert!((volume / full - 1.0).abs() < 0.01, "{volume}");
+    }
+
+    #[test]
+    fn missing_normals_are_made() {
+        let mesh = Mesh {
+            positions: vec![Vec3::ZERO, Vec3::Z, Vec3::X],
+            triangles: vec![[0, 1, 2]],
+            ..Default::default()
+        };
+        assert_eq!(with_normals(&mesh).normals, vec![Vec3::Y; 3]);
+    }
+}

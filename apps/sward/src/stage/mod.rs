@@ -1,0 +1,391 @@
+//! The stage: a headless host of the grass. It draws what stands round the grass (things, sky,
+//! light), drives the renderer, and ends with tone mapping and a picture.
+//!
+//! A frame is: `simulate`, opaque things, `cull` (which reads their depth), grass and sky, post.
+
+mod clock;
+mod frame;
+mod fullscreen;
+mod meshes;
+mod opaque;
+mod passes;
+mod readback;
+mod targets;
+mod texture;
+
+pub use clock::Clock;
+
+use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
+use anyhow::{Context, Result};
+use frame::{CameraMatrices, FrameUniform};
+use glam::Vec2;
+use image::RgbImage;
+use opaque::Opaque;
+use passes::{Accumulator, Passes};
+use sward::{Culling, Field, Frame, Light, PhysicsModel, Renderer, Statistics, View, Wind};
+use sward_scene::{Camera, MovingSphere, Scene};
+use targets::Targets;
+
+/// Renders a side that a reference adds up: 8 x 8 places inside a pixel, one sample each.
+const REFERENCE_GRID: u32 = 8;
+
+/// How a scene is drawn.
+#[derive(Debug, Clone)]
+pub struct StageOptions {
+    /// Size of the picture, pixels.
+    pub size: [u32; 2],
+    /// Samples a pixel; a reference always has 64.
+    pub samples: u32,
+    /// Where from.
+    pub camera: Camera,
+    /// How blades move.
+    pub physics: PhysicsModel,
+    /// How blades are culled.
+    pub culling: Culling,
+    /// All blades, with all segments, none culled, 64 samples a pixel averaged in linear light.
+    pub reference: bool,
+    /// Haze, where the scene has any.
+    pub haze: bool,
+    /// Whether spheres push the blades.
+    pub collisions: bool,
+}
+
+impl StageOptions {
+    /// The scene's own way, seen by its first camera or the one of that name.
+    ///
+    /// # Errors
+    /// Where there is no such camera.
+    pub fn new(scene: &Scene, camera: Option<&str>, size: [u32; 2], samples: u32) -> Result<Self> {
+        Ok(Self {
+            size,
+            samples,
+            camera: scene.camera(camera)?.clone(),
+            physics: scene.physics,
+            culling: scene.culling,
+            reference: false,
+            haze: true,
+            collisions: true,
+        })
+    }
+}
+
+/// A scene with its grass, ready to be stepped and drawn.
+#[derive(Debug)]
+pub struct Stage {
+    gpu: Gpu,
+    options: StageOptions,
+    renderer: Renderer,
+    targets: Targets,
+    uniform: FrameUniform,
+    opaque: Opaque,
+    passes: Passes,
+    wind: Wind,
+    light: Light,
+    gravity: sward::Gravity,
+    spheres: Vec<MovingSphere>,
+    time_s: f64,
+    warm_up_s: f64,
+    jitter_px: Vec2,
+    /// Whether the depth target holds the opaque things of this time, and nothing else.
+    depth_is_opaque: bool,
+}
+
+impl Stage {
+    /// Uploads a scene and its grown fields. Time starts at the scene's warm-up, before 0:
+    /// see [`Stage::warm_up`].
+    ///
+    /// # Errors
+    /// Where the fields do not fit the device.
+    pub fn new(gpu: &Gpu, scene: &Scene, fields: &[Field], options: StageOptions) -> Result<Self> {
+        let device = &gpu.device;
+        let samples = if options.reference { 1 } else { options.samples };
+        let formats = sward::Targets { color: COLOR_FORMAT, depth: DEPTH_FORMAT, samples };
+        let mut renderer = Renderer::new(device, formats)?;
+        for (field, grown) in scene.fields.iter().zip(fields) {
+            renderer
+                .add_field(device, grown)
+                .with_context(|| format!("{}: field '{}'", scene.path.display(), field.name))?;
+        }
+        let light = light(scene, options.haze);
+        let uniform = FrameUniform::new(device, scene, &light);
+        let targets = Targets::new(device, options.size, samples);
+        let opaque = Opaque::new(gpu, &uniform, scene, samples);
+        let passes = Passes::new(device, &uniform, &targets, samples);
+        let warm_up_s = f64::from(scene.warm_up_s);
+        let mut stage = Self {
+            gpu: gpu.clone(),
+            options,
+            renderer,
+            targets,
+            uniform,
+            opaque,
+            passes,
+            wind: Wind::new(scene.wind.clone())?,
+            light,
+            gravity: scene.gravity,
+            spheres: scene.spheres.clone(),
+            time_s: -warm_up_s,
+            warm_up_s,
+            jitter_px: Vec2::ZERO,
+            depth_is_opaque: false,
+        };
+        stage.write_camera(1.0);
+        stage.gpu.wait()?;
+        Ok(stage)
+    }
+
+    /// Simulates the scene's warm-up, which ends at time 0.
+    ///
+    /// # Errors
+    /// Where the device fails.
+    pub fn warm_up(&mut self) -> Result<()> {
+        // At least one step, of no time: the first picture needs blades in place.
+        let steps = (self.warm_up_s * 60.0).ceil() as u32;
+        if steps == 0 {
+            return self.step(0.0);
+        }
+        for _ in 0..steps {
+            self.step(self.warm_up_s / f64::from(steps))?;
+        }
+        self.time_s = 0.0;
+        Ok(())
+    }
+
+    /// Advances the time, and the blades that the camera sees.
+    ///
+    /// # Errors
+    /// Where the device fails.
+    pub fn step(&mut self, dt_s: f64) -> Result<()> {
+        let mut encoder = self.encoder();
+        self.encode_simulate(&mut encoder, dt_s)?;
+        self.encode_opaque(&mut encoder);
+        self.encode_cull(&mut encoder)?;
+        self.submit(encoder);
+        self.gpu.wait()
+    }
+
+    /// Draws what the last [`Stage::step`] left.
+    ///
+    /// # Errors
+    /// Where the device fails.
+    pub fn render(&mut self) -> Result<RgbImage> {
+        if self.options.reference {
+            self.render_reference()?;
+        } else {
+            let mut encoder = self.encoder();
+            self.encode_draw(&mut encoder);
+            self.encode_post(&mut encoder);
+            self.submit(encoder);
+        }
+        readback::read(&self.gpu, &self.targets.picture)
+    }
+
+    fn render_reference(&mut self) -> Result<()> {
+        let mut sum = Accumulator::new(&self.gpu.device, &self.uniform, &self.targets);
+        let step = 1.0 / REFERENCE_GRID as f32;
+        for i in 0..REFERENCE_GRID * REFERENCE_GRID {
+            let cell = Vec2::new((i % REFERENCE_GRID) as f32, (i / REFERENCE_GRID) as f32);
+            self.jitter_px = (cell + 0.5) * step - 0.5;
+            self.depth_is_opaque = false;
+            self.write_camera(step * step);
+            let mut encoder = self.encoder();
+            self.encode_opaque(&mut encoder);
+            self.encode_cull(&mut encoder)?;
+            self.encode_draw(&mut encoder);
+            sum.add(&self.gpu.device, &mut encoder, &self.uniform, self.targets.linear());
+            self.submit(encoder);
+            self.gpu.wait()?;
+        }
+        self.jitter_px = Vec2::ZERO;
+        self.depth_is_opaque = false;
+        self.write_camera(1.0);
+        let mut encoder = self.encoder();
+        let device = &self.gpu.device;
+        self.passes.run_post_from(device, &mut encoder, &self.uniform, &self.targets, sum.sum());
+        self.submit(encoder);
+        Ok(())
+    }
+
+    /// Records one step of the simulation.
+    ///
+    /// # Errors
+    /// Where wind or spheres are more than fit, or not finite.
+    pub fn encode_simulate(&mut self, encoder: &mut wgpu::CommandEncoder, dt_s: f64) -> Result<()> {
+        self.time_s += dt_s;
+        self.wind.advance(dt_s);
+        let time_s = self.time_s as f32;
+        let placements = meshes::sphere_placements(&self.spheres, time_s);
+        if self.opaque.move_spheres(&self.gpu.queue, placements) {
+            self.depth_is_opaque = false;
+        }
+        let spheres: Vec<_> = match self.options.collisions {
+            true => self.spheres.iter().filter_map(|sphere| sphere.at(time_s)).collect(),
+            false => Vec::new(),
+        };
+        let frame = Frame {
+            dt_s: dt_s as f32,
+            wind: &self.wind,
+            spheres: &spheres,
+            gravity: self.gravity,
+            light: self.light,
+            physics: self.options.physics,
+        };
+        Ok(self.renderer.simulate(&self.gpu.device, &self.gpu.queue, encoder, &frame)?)
+    }
+
+    /// Records the opaque things, colour and depth, unless they are there already.
+    pub fn encode_opaque(&mut self, encoder: &mut wgpu::CommandEncoder) {
+        if self.depth_is_opaque {
+            return;
+        }
+        let mut pass = self.scene_pass(encoder, "sward.stage.opaque", true);
+        self.opaque.draw(&mut pass, &self.uniform);
+        drop(pass);
+        self.depth_is_opaque = true;
+    }
+
+    /// Records the culling of the camera's view against the opaque depth.
+    ///
+    /// # Errors
+    /// Where the camera is none.
+    pub fn encode_cull(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<()> {
+        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        Ok(self.renderer.cull(&self.gpu.device, encoder, &[view])?)
+    }
+
+    /// Records the settings of the view; before [`Stage::encode_stage`].
+    ///
+    /// # Errors
+    /// Where the camera is none.
+    pub fn encode_prepare(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<()> {
+        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        Ok(self.renderer.prepare_view(&self.gpu.device, encoder, 0, &view)?)
+    }
+
+    /// Records one stage of [`Stage::encode_cull`], so that it can be timed.
+    pub fn encode_stage(&self, encoder: &mut wgpu::CommandEncoder, stage: sward::Stage) {
+        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        self.renderer.encode_stage(&self.gpu.device, encoder, stage, 0, &view);
+    }
+
+    /// Records grass, then the sky where nothing is, then the resolve.
+    pub fn encode_draw(&mut self, encoder: &mut wgpu::CommandEncoder) {
+        self.encode_opaque(encoder);
+        let mut pass = self.scene_pass(encoder, "sward.stage.draw", false);
+        self.renderer.draw(&mut pass, 0);
+        self.passes.draw_sky(&mut pass, &self.uniform);
+        drop(pass);
+        self.depth_is_opaque = false;
+    }
+
+    /// Records tone mapping and encoding into the picture.
+    pub fn encode_post(&mut self, encoder: &mut wgpu::CommandEncoder) {
+        self.passes.run_post(encoder, &self.uniform, &self.targets);
+    }
+
+    fn scene_pass<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        label: &str,
+        first: bool,
+    ) -> wgpu::RenderPass<'a> {
+        let (color, depth) = match first {
+            true => (wgpu::LoadOp::Clear(wgpu::Color::BLACK), wgpu::LoadOp::Clear(1.0)),
+            false => (wgpu::LoadOp::Load, wgpu::LoadOp::Load),
+        };
+        let resolve_target = self.targets.resolved.as_ref().filter(|_| !first);
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some(label),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &self.targets.color,
+                depth_slice: None,
+                resolve_target,
+                ops: wgpu::Operations { load: color, store: wgpu::StoreOp::Store },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.targets.depth,
+                depth_ops: Some(wgpu::Operations { load: depth, store: wgpu::StoreOp::Store }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        })
+    }
+
+    fn matrices(&self) -> CameraMatrices {
+        CameraMatrices::new(&self.options.camera, self.options.size, self.jitter_px)
+    }
+
+    fn write_camera(&mut self, weight: f32) {
+        let camera = self.matrices();
+        self.uniform.write(&self.gpu.queue, camera, weight);
+    }
+
+    /// An encoder to record into.
+    pub fn encoder(&self) -> wgpu::CommandEncoder {
+        self.gpu.device.create_command_encoder(&Default::default())
+    }
+
+    /// Submits what was recorded.
+    pub fn submit(&self, encoder: wgpu::CommandEncoder) {
+        self.gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Seconds since the scene's time 0.
+    pub fn time_s(&self) -> f64 {
+        self.time_s
+    }
+
+    /// The newest counts that have come back.
+    pub fn statistics(&mut self) -> Option<Statistics> {
+        self.renderer.statistics(&self.gpu.device)
+    }
+
+    /// Bytes that the grass takes on the GPU.
+    pub fn gpu_bytes(&self) -> u64 {
+        self.renderer.gpu_bytes()
+    }
+}
+
+/// The renderer's view of the camera.
+fn view<'a>(
+    options: &StageOptions,
+    camera: CameraMatrices,
+    opaque_depth: &'a wgpu::TextureView,
+) -> View<'a> {
+    let mut view = View::new(camera.view_from_world, camera.clip_from_view, options.size);
+    view.opaque_depth = Some(opaque_depth);
+    view.culling = options.culling;
+    if options.reference {
+        view.culling = no_culling(options.culling);
+        view.detail = f32::INFINITY;
+        view.width_correction = false;
+    }
+    view
+}
+
+/// The same with every test switched off, so that every blade is drawn.
+pub fn no_culling(culling: Culling) -> Culling {
+    Culling {
+        frustum: false,
+        distance: false,
+        orientation: false,
+        occlusion: false,
+        max_distance_m: f32::INFINITY,
+        ..culling
+    }
+}
+
+/// The scene's light; haze takes the colour of the sky at the horizon.
+fn light(scene: &Scene, haze: bool) -> Light {
+    let light = scene.light();
+    if haze { light } else { Light { haze_per_m: 0.0, ..light } }
+}
+
+/// A module of the stage: `frame.wgsl` and the given parts.
+fn shader(device: &wgpu::Device, label: &str, parts: &[&str]) -> wgpu::ShaderModule {
+    let source = [&[include_str!("frame.wgsl")], parts].concat().join("\n");
+    device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(label),
+        source: wgpu::ShaderSource::Wgsl(source.into()),
+    })
+}

@@ -1,0 +1,102 @@
+//! The opaque pass: the scene's things, colour and depth.
+
+use super::frame::FrameUniform;
+use super::meshes::{self, GpuMesh, GpuPlacement, VERTEX_BUFFERS};
+use super::texture::{self, Uploader};
+use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
+use sward_scene::Scene;
+
+/// Draws objects and visible spheres.
+#[derive(Debug)]
+pub(super) struct Opaque {
+    pipeline: wgpu::RenderPipeline,
+    objects: Vec<GpuMesh>,
+    spheres: Option<GpuMesh>,
+    placed: Vec<GpuPlacement>,
+}
+
+impl Opaque {
+    pub fn new(gpu: &Gpu, frame: &FrameUniform, scene: &Scene, samples: u32) -> Self {
+        let layout = texture::layout(&gpu.device);
+        let uploader = Uploader::new(&gpu.device, &gpu.queue, &layout);
+        let objects = (0..scene.objects.len())
+            .filter(|&i| scene.objects[i].visible)
+            .map(|i| {
+                let object = &scene.objects[i];
+                let placement = meshes::object_placement(scene, i);
+                let texture = uploader.upload(object.texture.as_ref());
+                let mesh = meshes::with_normals(&object.mesh);
+                GpuMesh::new(&gpu.device, &mesh, &[placement], texture)
+            })
+            .collect();
+        let placed = meshes::sphere_placements(&scene.spheres, -scene.warm_up_s);
+        let spheres = (!placed.is_empty()).then(|| {
+            GpuMesh::new(&gpu.device, &meshes::unit_sphere(), &placed, uploader.upload(None))
+        });
+        let pipeline = pipeline(&gpu.device, &frame.layout, &layout, samples);
+        Self { pipeline, objects, spheres, placed }
+    }
+
+    /// Moves the spheres; says whether any has moved.
+    pub fn move_spheres(&mut self, queue: &wgpu::Queue, placements: Vec<GpuPlacement>) -> bool {
+        let moved = placements != self.placed;
+        if let (true, Some(spheres)) = (moved, &self.spheres) {
+            spheres.place(queue, &placements);
+            self.placed = placements;
+        }
+        moved
+    }
+
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, frame: &FrameUniform) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &frame.group, &[]);
+        for mesh in self.objects.iter().chain(&self.spheres) {
+            pass.set_bind_group(1, &mesh.texture, &[]);
+            mesh.draw(pass);
+        }
+    }
+}
+
+fn pipeline(
+    device: &wgpu::Device,
+    frame: &wgpu::BindGroupLayout,
+    texture: &wgpu::BindGroupLayout,
+    samples: u32,
+) -> wgpu::RenderPipeline {
+    let label = "sward.stage.opaque";
+    let shader =
+        super::shader(device, label, &[include_str!("ground.wgsl"), include_str!("opaque.wgsl")]);
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some(label),
+        bind_group_layouts: &[Some(frame), Some(texture)],
+        immediate_size: 0,
+    });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(label),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module: &shader,
+            entry_point: Some("opaque_vertex"),
+            compilation_options: Default::default(),
+            buffers: &VERTEX_BUFFERS,
+        },
+        // Both sides are drawn: a Mobius strip has only one.
+        primitive: Default::default(),
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH_FORMAT,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::Less),
+            stencil: Default::default(),
+            bias: Default::default(),
+        }),
+        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+        fragment: Some(wgpu::FragmentState {
+            module: &shader,
+            entry_point: Some("opaque_fragment"),
+            compilation_options: Default::default(),
+            targets: &[Some(COLOR_FORMAT.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}

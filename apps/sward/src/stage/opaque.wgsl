@@ -1,0 +1,77 @@
+// The scene's opaque things: Lambert sun and sky, a little gloss.
+
+@group(1) @binding(0) var base_texture: texture_2d<f32>;
+@group(1) @binding(1) var base_sampler: sampler;
+
+struct VertexIn {
+    @location(0) position: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) uv: vec2<f32>,
+    @location(3) color: vec4<f32>,
+    // xyz place, w scale
+    @location(4) placement: vec4<f32>,
+    // rgb reflectance, w roughness
+    @location(5) material: vec4<f32>,
+    // rgb of the grass that grows on it, w its share; below 0 where it carries none
+    @location(6) grass: vec4<f32>,
+}
+
+struct Surfel {
+    @builtin(position) position: vec4<f32>,
+    @location(0) world: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) uv: vec2<f32>,
+    @location(3) color: vec3<f32>,
+    @location(4) @interpolate(flat) material: vec4<f32>,
+    @location(5) @interpolate(flat) grass: vec4<f32>,
+}
+
+@vertex
+fn opaque_vertex(in: VertexIn) -> Surfel {
+    let world = in.position * in.placement.w + in.placement.xyz;
+    return Surfel(
+        frame.clip_from_world * vec4(world, 1.0),
+        world,
+        in.normal,
+        in.uv,
+        in.color.rgb,
+        in.material,
+        in.grass,
+    );
+}
+
+// Specular of a dielectric: GGX with Schlick's Fresnel and a cheap visibility term.
+fn gloss(n: vec3<f32>, v: vec3<f32>, l: vec3<f32>, roughness: f32) -> f32 {
+    let h = normalize(v + l + vec3(0.0, 1e-6, 0.0));
+    let a = max(roughness * roughness, 0.02);
+    let nh = max(dot(n, h), 0.0);
+    let lh = max(dot(l, h), 0.05);
+    let d = nh * nh * (a * a - 1.0) + 1.0;
+    let fresnel = 0.04 + 0.96 * pow(1.0 - lh, 5.0);
+    return a * a / (PI * d * d) * fresnel * 0.25 / (lh * lh * (roughness + 0.5));
+}
+
+@fragment
+fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    let pixel_m = length(fwidth(in.world));
+    let texel = textureSample(base_texture, base_sampler, in.uv).rgb;
+    let v = normalize(frame.eye.xyz - in.world);
+    // A zero normal, as a degenerate corner has, must not become NaN.
+    var n = in.normal / max(length(in.normal), 1e-12);
+    n = select(-n, n, front);
+    var albedo = in.material.rgb * in.color * texel;
+    if in.grass.w >= 0.0 {
+        let ground = ground_material(in.world, n, albedo, in.grass, pixel_m);
+        albedo = ground.albedo;
+        n = ground.normal;
+    }
+    let l = frame.to_sun.xyz;
+    let lit = max(dot(n, l), 0.0);
+    let ambient = mix(frame.ground.rgb, frame.sky.rgb, n.y * 0.5 + 0.5);
+    var color = albedo * (frame.sun.rgb * lit / PI + ambient);
+    if in.grass.w < 0.0 {
+        color += frame.sun.rgb * lit * gloss(n, v, l, in.material.w);
+    }
+    let clear = exp(-frame.haze.w * distance(frame.eye.xyz, in.world));
+    return vec4(mix(frame.haze.rgb, color, clear), 1.0);
+}

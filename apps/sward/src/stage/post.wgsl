@@ -1,0 +1,31 @@
+// Exposure, tone mapping, sRGB encoding.
+
+@group(1) @binding(0) var color: texture_2d<f32>;
+
+// Khronos PBR Neutral: colours below the shoulder stay as they are, brighter ones roll off to white.
+fn tone_map_pbr_neutral(light: vec3<f32>) -> vec3<f32> {
+    const SHOULDER = 0.76;
+    const DESATURATION = 0.15;
+    let least = min(light.r, min(light.g, light.b));
+    // Takes off the 4 % that a dielectric reflects, so that dark colours stay saturated.
+    let base = light - select(0.04, least - 6.25 * least * least, least < 0.08);
+    let peak = max(base.r, max(base.g, base.b));
+    if peak < SHOULDER {
+        return base;
+    }
+    let room = 1.0 - SHOULDER;
+    let rolled = 1.0 - room * room / (peak + room - SHOULDER);
+    let whiteness = 1.0 - 1.0 / (DESATURATION * (peak - rolled) + 1.0);
+    return mix(base * (rolled / peak), vec3(rolled), whiteness);
+}
+
+fn srgb_encode(linear: vec3<f32>) -> vec3<f32> {
+    let high = 1.055 * pow(max(linear, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;
+    return select(high, linear * 12.92, linear <= vec3(0.0031308));
+}
+
+@fragment
+fn post(in: Fullscreen) -> @location(0) vec4<f32> {
+    let light = textureLoad(color, vec2<i32>(in.position.xy), 0).rgb * frame.exposure;
+    return vec4(srgb_encode(clamp(tone_map_pbr_neutral(light), vec3(0.0), vec3(1.0))), 1.0);
+}

@@ -1,0 +1,46 @@
+//! Compaction: counts, prefix sums, places. No atomic append, so the same frame gives the same
+//! list and the same picture, bit for bit.
+
+#[cfg(test)]
+pub(crate) mod twin;
+
+use crate::gpu::bindings::compute;
+use crate::gpu::page::{Page, ViewLists};
+use crate::gpu::shaders::Shader;
+use crate::renderer::Layouts;
+
+/// Bytes of the uniform with the indices that a blade takes in each bucket.
+pub(crate) const SCAN_BLADE_INDICES_BYTES: u64 = 32;
+
+/// The scan and the compaction.
+#[derive(Debug)]
+pub(crate) struct Compact {
+    scan_blocks: wgpu::ComputePipeline,
+    scan_totals: wgpu::ComputePipeline,
+    compact: wgpu::ComputePipeline,
+}
+
+impl Compact {
+    pub(crate) fn new(device: &wgpu::Device, layouts: &Layouts) -> Self {
+        let scan = [&layouts.frame, &layouts.field, &layouts.scan];
+        let module = Shader::Scan.module(device);
+        let groups = [&layouts.frame, &layouts.field, &layouts.compact];
+        Self {
+            scan_blocks: compute(device, &module, "scan_blocks", &scan, &[]),
+            scan_totals: compute(device, &module, "scan_totals", &scan, &[]),
+            compact: compute(device, &Shader::Compact.module(device), "compact", &groups, &[]),
+        }
+    }
+
+    /// Groups 0 and 1 are set.
+    pub(crate) fn encode(&self, pass: &mut wgpu::ComputePass, page: &Page, lists: &ViewLists) {
+        pass.set_bind_group(2, &lists.scan, &[]);
+        pass.set_pipeline(&self.scan_blocks);
+        pass.dispatch_workgroups(page.block_count(), 1, 1);
+        pass.set_pipeline(&self.scan_totals);
+        pass.dispatch_workgroups(1, 1, 1);
+        pass.set_pipeline(&self.compact);
+        pass.set_bind_group(2, &lists.compact, &[]);
+        pass.dispatch_workgroups_indirect(&page.work_size, 0);
+    }
+}

@@ -1,0 +1,135 @@
+// Offsets of the survivors, by prefix sums over the bands: the same frame gives the same list.
+
+struct GpuBlock {
+    // Survivors by bucket; after scan_totals, the place of the block's first one in the list
+    buckets: array<u32, 8>,
+    // Failed tests: orientation, frustum, distance, occlusion; sphere tests; 3 unused
+    counted: array<u32, 8>,
+}
+
+struct GpuDraw {
+    // Range of the list
+    start: u32,
+    count: u32,
+    dropped: u32,
+    reserved: u32,
+}
+
+struct IndirectDraw {
+    index_count: u32,
+    instance_count: u32,
+    first_index: u32,
+    base_vertex: i32,
+    first_instance: u32,
+}
+
+@group(2) @binding(1) var<storage, read_write> bands: array<GpuBand>;
+@group(2) @binding(2) var<storage, read_write> blocks: array<GpuBlock>;
+@group(2) @binding(3) var<storage, read_write> draws: array<GpuDraw, 8>;
+@group(2) @binding(4) var<storage, read_write> indirect: array<IndirectDraw, 8>;
+@group(2) @binding(5) var<storage, read_write> counted: array<u32, 8>;
+// Indices that one blade takes in each bucket
+@group(2) @binding(6) var<uniform> blade_indices: array<vec4<u32>, 2>;
+
+const BLOCK: u32 = 256u;
+
+var<workgroup> sums: array<vec4<u32>, 256>;
+var<workgroup> failed: array<atomic<u32>, 8>;
+
+@compute @workgroup_size(256)
+fn scan_blocks(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let band_count = field.patch_count * bands_per_patch();
+    let index = group.x * BLOCK + lane;
+    var own = vec4<u32>(0u);
+    if index < band_count {
+        own = bands[index].counts;
+        let culled = bands[index].culled;
+        atomicAdd(&failed[0], culled.x & 0xffffu);
+        atomicAdd(&failed[1], culled.x >> 16u);
+        atomicAdd(&failed[2], culled.y & 0xffffu);
+        atomicAdd(&failed[3], culled.y >> 16u);
+        if bands[index].step == frame.step {
+            atomicAdd(&failed[4], bands[index].tested);
+        }
+    }
+    // 256 bands of 64 blades: a half word holds the sum
+    sums[lane] = own;
+    workgroupBarrier();
+    for (var step = 1u; step < BLOCK; step *= 2u) {
+        var below = vec4<u32>(0u);
+        if lane >= step {
+            below = sums[lane - step];
+        }
+        workgroupBarrier();
+        sums[lane] += below;
+        workgroupBarrier();
+    }
+    if index < band_count {
+        bands[index].counts = sums[lane] - own;
+    }
+    if lane < BUCKETS {
+        let pair = sums[BLOCK - 1u][lane / 2u];
+        blocks[group.x].buckets[lane] = (pair >> (16u * (lane & 1u))) & 0xffffu;
+        blocks[group.x].counted[lane] = atomicLoad(&failed[lane]);
+    }
+}
+
+const LANES: u32 = 32u;
+var<workgroup> lane_sums: array<u32, 256>;
+var<workgroup> totals: array<u32, 8>;
+var<workgroup> starts: array<u32, 8>;
+
+fn write_draw(bucket: u32) {
+    let start = min(starts[bucket], view.capacity);
+    let end = min(starts[bucket] + totals[bucket], view.capacity);
+    draws[bucket] = GpuDraw(start, end - start, totals[bucket] - (end - start), 0u);
+    let indices = blade_indices[bucket / 4u][bucket % 4u];
+    indirect[bucket] = IndirectDraw(indices * BAND, (end - start + BAND - 1u) / BAND, 0u, 0, 0u);
+}
+
+// One workgroup: 8 buckets by 32 lanes, each lane a run of blocks.
+@compute @workgroup_size(256)
+fn scan_totals(@builtin(local_invocation_index) thread: u32) {
+    let block_count = (field.patch_count * bands_per_patch() + BLOCK - 1u) / BLOCK;
+    let bucket = thread / LANES;
+    let lane = thread % LANES;
+    let run = (block_count + LANES - 1u) / LANES;
+    let begin = min(lane * run, block_count);
+    let end = min(begin + run, block_count);
+    var sum = 0u;
+    var tests = 0u;
+    for (var b = begin; b < end; b++) {
+        sum += blocks[b].buckets[bucket];
+        tests += blocks[b].counted[bucket];
+    }
+    lane_sums[thread] = sum;
+    atomicAdd(&failed[bucket], tests);
+    workgroupBarrier();
+    var before = 0u;
+    for (var l = 0u; l < lane; l++) {
+        before += lane_sums[bucket * LANES + l];
+    }
+    if lane == LANES - 1u {
+        totals[bucket] = before + sum;
+    }
+    workgroupBarrier();
+    if lane == 0u {
+        var start = 0u;
+        for (var b = 0u; b < bucket; b++) {
+            start += totals[b];
+        }
+        starts[bucket] = start;
+        counted[bucket] = atomicLoad(&failed[bucket]);
+        write_draw(bucket);
+    }
+    workgroupBarrier();
+    var place = starts[bucket] + before;
+    for (var b = begin; b < end; b++) {
+        let own = blocks[b].buckets[bucket];
+        blocks[b].buckets[bucket] = place;
+        place += own;
+    }
+}

@@ -1,0 +1,43 @@
+// Light on a blade: sun on both faces, light through it, sky and ground, the canopy's own shade.
+
+struct BladeSurface {
+    albedo: vec3<f32>,
+    // Towards the eye's side of the blade
+    normal: vec3<f32>,
+    // Unit up of the plant
+    up: vec3<f32>,
+    // 0 root, 1 tip
+    height_share: f32,
+}
+
+// Share of the sky that the canopy lets through to a height in it.
+fn canopy_open(height_share: f32) -> f32 {
+    let t = clamp(height_share, 0.0, 1.0);
+    return mix(0.16, 1.0, t * (1.6 - 0.6 * t));
+}
+
+fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
+    let to_sun = frame.to_sun.xyz;
+    let open = canopy_open(surface.height_share);
+    let facing_sun = dot(surface.normal, to_sun);
+    let reflected = max(facing_sun, 0.0);
+    // Light through the leaf is yellower than light off it, and strongest against the sun
+    let through = max(-facing_sun, 0.0);
+    let leaf = surface.albedo * vec3<f32>(1.15, 1.2, 0.55);
+    let against = pow(max(dot(-to_eye, to_sun), 0.0), 4.0);
+    let sun_light = frame.sun.rgb * (open * open);
+    var color = surface.albedo * sun_light * reflected * 0.32;
+    color += leaf * sun_light * through * (0.30 + 0.35 * against);
+    let half_vector = to_sun + to_eye;
+    let h = half_vector * inverseSqrt(max(dot(half_vector, half_vector), 1e-6));
+    let gloss = pow(max(dot(surface.normal, h), 0.0), 24.0);
+    color += sun_light * gloss * 0.018;
+    let upward = 0.5 + 0.5 * dot(surface.normal, surface.up);
+    let around = mix(frame.ground.rgb, frame.sky.rgb, upward);
+    return color + surface.albedo * around * open;
+}
+
+fn with_haze(color: vec3<f32>, distance: f32) -> vec3<f32> {
+    let clear = exp(-frame.haze.w * distance);
+    return mix(frame.haze.rgb, color, clear);
+}

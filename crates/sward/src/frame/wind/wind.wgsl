@@ -1,0 +1,58 @@
+// Wind strength (beta) at a place and a time: the sum of the sources.
+
+const TAU: f32 = 6.283185307;
+// Beyond this the wind is an error of its source: no blade can tell the difference.
+const WIND_LIMIT: f32 = 100.0;
+
+// Position in the source's own axes, metres: along its direction, and across.
+fn wind_axes(source: GpuWindSource, position: vec3<f32>) -> vec2<f32> {
+    let across = vec2<f32>(-source.direction.y, source.direction.x);
+    return vec2<f32>(dot(position.xz, source.direction), dot(position.xz, across));
+}
+
+// Crests that wander and break: noise that travels with them shifts their phase and fades them.
+fn wave_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec2<f32> {
+    let at = wind_axes(source, position);
+    let travelled = source.phase.x - source.rate * seconds_ago;
+    // Noise cells a radian of the wave: a cell is four crests long and two wide.
+    let cells = source.frequency / TAU;
+    let drift = source.phase.y - source.rate / TAU * 0.25 * seconds_ago;
+    let noise_at = vec2<f32>(at.x * cells * 0.25 - drift, at.y * cells * 0.5);
+    let wander = 5.0 * noise2(noise_at, source.seed);
+    let envelope = 0.7 + 0.6 * noise2(noise_at * 2.0, source.seed + 1u);
+    let turn = (travelled - source.frequency * at.x + wander) / TAU;
+    let phase = (turn - floor(turn)) * TAU;
+    // Rises three times as fast as it falls: the front of a gust is sharp, its tail is not.
+    let profile = sin(phase + 0.5 * sin(phase));
+    return source.direction * (source.strength.x + source.strength.y * envelope * profile);
+}
+
+// Gusts: two octaves of noise that drift with the wind, twice as long across it.
+fn gust_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec2<f32> {
+    let at = wind_axes(source, position) * source.frequency;
+    let drift = source.phase.x - source.rate * source.frequency * seconds_ago;
+    let cell = vec2<f32>(at.x - drift, at.y * 0.5);
+    let sum = noise2(cell, source.seed) + 0.5 * noise2(cell * 2.0, source.seed + 1u);
+    let strength = smoothstep(-0.4, 0.8, sum) * source.strength.x;
+    let veer = source.strength.y * 1.6 * noise2(cell, source.seed + 2u);
+    let across = vec2<f32>(-source.direction.y, source.direction.x);
+    return (source.direction * cos(veer) + across * sin(veer)) * strength;
+}
+
+// The wind at `position` (metres) as it was `seconds_ago`, in units of beta.
+fn wind_at(position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
+    var sum = vec2<f32>(0.0);
+    for (var i = 0u; i < frame.wind_count; i++) {
+        let source = wind_sources[i];
+        if source.kind == 0u {
+            sum += wave_strength(source, position, seconds_ago);
+        } else {
+            sum += gust_strength(source, position, seconds_ago);
+        }
+    }
+    if !(is_finite(sum.x) && is_finite(sum.y)) {
+        return vec3<f32>(0.0);
+    }
+    let limited = clamp(sum, vec2<f32>(-WIND_LIMIT), vec2<f32>(WIND_LIMIT));
+    return vec3<f32>(limited.x, 0.0, limited.y);
+}

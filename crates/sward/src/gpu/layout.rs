@@ -1,0 +1,154 @@
+//! What the shaders and the host share, member by member. A test compares each struct with its
+//! WGSL counterpart through naga.
+//!
+//! # A blade in 16 static bytes
+//! | word | bits | content | precision |
+//! |---|---|---|---|
+//! | 0 | 16 + 16 | root x, y in the patch's cube | edge / 65535: 0.05 mm in a 3 m patch |
+//! | 1 | 16 + 8 + 8 | root z, species, response | response range / 255 |
+//! | 2 | 16 + 16 | up, octahedral | 0.003 degrees |
+//! | 3 | 12 + 12 + 8 | facing, height, width | 0.09 degrees, height range / 4095, width range / 255 |
+//!
+//! # Its 8 dynamic bytes
+//! Direction of the tip in the blade's own frame (24 + 24 bits, half octahedral) and crush (16 bits
+//! over 0..2). `PhysicsModel::Paper` keeps a length as well: 17 + 17 + 14 + 16.
+//!
+//! # What else grows with the blades
+//! Per blade 4 bytes of draw list and 2 of decisions; per 64 blades 48 bytes of clocks, counts and
+//! offsets; per patch its box (48), its near spheres (128) and two work entries (16).
+
+use bytemuck::{Pod, Zeroable};
+
+/// Blades of one workgroup.
+pub const BAND: u32 = 64;
+/// Bands of one block of the scan.
+pub const BLOCK: u32 = 256;
+/// Draw lists: four levels, pointed and flat-tipped.
+pub const BUCKETS: usize = 8;
+/// Words of a patch's list of near spheres: a count and up to 31 indices.
+pub const NEAR_STRIDE: u32 = 32;
+/// Most blades of a page: the draw list has 22 bits for a blade's index.
+pub const PAGE_BLADES: u64 = 1 << 22;
+/// Most pages of a field.
+pub const MAX_PAGES: u64 = 16;
+/// Most species of a field.
+pub const MAX_SPECIES: usize = 256;
+/// Most wind sources at once.
+pub const MAX_WIND_SOURCES: usize = 64;
+/// Resolution of the clock that sleeping blades are timed with.
+pub const TICKS_PER_SECOND: f64 = 16384.0;
+
+/// `GpuFrame` of frame.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct GpuFrame {
+    pub gravity_direction: [f32; 4],
+    pub gravity_center: [f32; 4],
+    pub to_sun: [f32; 4],
+    pub sun: [f32; 4],
+    pub sky: [f32; 4],
+    pub ground: [f32; 4],
+    pub haze: [f32; 4],
+    pub dt_s: f32,
+    pub gravity_blend: f32,
+    pub crush_decay: f32,
+    pub physics_model: u32,
+    pub wind_count: u32,
+    pub sphere_count: u32,
+    pub step: u32,
+    pub ticks: u32,
+}
+
+/// `GpuField` of field.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct GpuField {
+    pub blade_count: u32,
+    pub patch_count: u32,
+    pub patch_size: u32,
+    pub first_id: u32,
+}
+
+/// `GpuPatch` of field.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct GpuPatch {
+    pub origin: [f32; 3],
+    pub edge: f32,
+    pub reach_min: [f32; 3],
+    pub max_height: f32,
+    pub reach_max: [f32; 3],
+    pub max_width: f32,
+}
+
+/// `GpuSpecies` of field.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct GpuSpecies {
+    pub height: [f32; 2],
+    pub width: [f32; 2],
+    pub response: [f32; 2],
+    pub droop: [f32; 2],
+    pub gust: f32,
+    pub arch: f32,
+    pub ridge: f32,
+    pub tip: f32,
+    pub shape: u32,
+    pub first_bucket: u32,
+    pub reserved: [u32; 2],
+    pub area_scale: [f32; 4],
+    pub root_from: [f32; 4],
+    pub root_to: [f32; 4],
+    pub tip_from: [f32; 4],
+    pub tip_to: [f32; 4],
+}
+
+/// `GpuView` of view.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct GpuView {
+    pub clip_from_world: [[f32; 4]; 4],
+    pub eye: [f32; 4],
+    pub depth_row: [f32; 4],
+    pub planes: [[f32; 4]; 6],
+    pub depth_from_value: [f32; 4],
+    pub size: [f32; 2],
+    pub focal: f32,
+    pub detail: f32,
+    pub least_width: f32,
+    pub max_distance: f32,
+    pub flags: u32,
+    pub capacity: u32,
+}
+
+/// `GpuBand` of band.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct GpuBand {
+    pub step: u32,
+    pub ticks: u32,
+    pub culled: [u32; 2],
+    pub counts: [u32; 4],
+    pub tested: u32,
+    pub reserved_a: u32,
+    pub reserved_b: u32,
+    pub reserved_c: u32,
+}
+
+/// `GpuBlock` of scan.wgsl and compact.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct GpuBlock {
+    pub buckets: [u32; 8],
+    pub counted: [u32; 8],
+}
+
+/// `GpuDraw` of scan.wgsl and draw.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Pod, Zeroable)]
+pub struct GpuDraw {
+    pub start: u32,
+    pub count: u32,
+    pub dropped: u32,
+    pub reserved: u32,
+}

@@ -1,0 +1,137 @@
+//! Every struct that host and shaders share, compared member by member through naga.
+
+use super::layout::*;
+use super::shaders::Shader;
+use crate::frame::wind::GpuWindSource;
+use std::mem::{offset_of, size_of};
+
+struct Expected {
+    name: &'static str,
+    size: usize,
+    members: Vec<(&'static str, usize)>,
+}
+
+macro_rules! expected {
+    ($type:ident { $($member:ident),+ $(,)? }) => {
+        Expected {
+            name: stringify!($type),
+            size: size_of::<$type>(),
+            members: vec![$((stringify!($member), offset_of!($type, $member))),+],
+        }
+    };
+}
+
+fn structs() -> Vec<Expected> {
+    vec![
+        expected!(GpuFrame {
+            gravity_direction,
+            gravity_center,
+            to_sun,
+            sun,
+            sky,
+            ground,
+            haze,
+            dt_s,
+            gravity_blend,
+            crush_decay,
+            physics_model,
+            wind_count,
+            sphere_count,
+            step,
+            ticks,
+        }),
+        expected!(GpuWindSource {
+            kind,
+            seed,
+            direction,
+            strength,
+            frequency,
+            rate,
+            phase,
+            reserved,
+        }),
+        expected!(GpuField { blade_count, patch_count, patch_size, first_id }),
+        expected!(GpuPatch { origin, edge, reach_min, max_height, reach_max, max_width }),
+        expected!(GpuSpecies {
+            height,
+            width,
+            response,
+            droop,
+            gust,
+            arch,
+            ridge,
+            tip,
+            shape,
+            first_bucket,
+            reserved,
+            area_scale,
+            root_from,
+            root_to,
+            tip_from,
+            tip_to,
+        }),
+        expected!(GpuView {
+            clip_from_world,
+            eye,
+            depth_row,
+            planes,
+            depth_from_value,
+            size,
+            focal,
+            detail,
+            least_width,
+            max_distance,
+            flags,
+            capacity,
+        }),
+        expected!(GpuBand {
+            step,
+            ticks,
+            culled,
+            counts,
+            tested,
+            reserved_a,
+            reserved_b,
+            reserved_c
+        }),
+        expected!(GpuBlock { buckets, counted }),
+        expected!(GpuDraw { start, count, dropped, reserved }),
+    ]
+}
+
+/// Members (name, offset) and span of each struct of a module.
+fn shader_structs(shader: Shader) -> Vec<(String, usize, Vec<(String, usize)>)> {
+    let module =
+        naga::front::wgsl::parse_str(&shader.source()).expect("valid, as another test shows");
+    module
+        .types
+        .iter()
+        .filter_map(|(_, ty)| {
+            let naga::TypeInner::Struct { members, span } = &ty.inner else { return None };
+            let list = members
+                .iter()
+                .map(|m| (m.name.clone().unwrap_or_default(), m.offset as usize))
+                .collect();
+            Some((ty.name.clone()?, *span as usize, list))
+        })
+        .collect()
+}
+
+#[test]
+fn structs_agree_with_the_shaders() {
+    let mut seen = std::collections::BTreeSet::new();
+    let expected = structs();
+    for shader in Shader::ALL {
+        for (name, span, members) in shader_structs(shader) {
+            let Some(own) = expected.iter().find(|e| e.name == name) else {
+                assert!(!name.starts_with("Gpu"), "{name} of {shader:?} has no counterpart here");
+                continue;
+            };
+            let list: Vec<_> = own.members.iter().map(|(n, o)| (n.to_string(), *o)).collect();
+            assert_eq!(members, list, "{name} of {shader:?}");
+            assert_eq!(span, own.size, "span of {name} of {shader:?}");
+            seen.insert(name);
+        }
+    }
+    assert_eq!(seen.len(), expected.len(), "some struct is in no shader: {seen:?}");
+}

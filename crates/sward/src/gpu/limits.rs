@@ -1,0 +1,64 @@
+//! Every limit of the adapter is checked before it is met.
+
+use super::layout::PAGE_BLADES;
+
+pub use super::layout::MAX_PAGES as MAX_PAGES_OF_A_FIELD;
+use crate::Error;
+
+fn at_least(what: &str, limit: &'static str, needed: u64, available: u64) -> Result<(), Error> {
+    if available >= needed {
+        return Ok(());
+    }
+    Err(Error::Limit {
+        what: what.into(),
+        limit,
+        needed,
+        available,
+        remedy: "request the device with wgpu::Limits::default()".into(),
+    })
+}
+
+/// What the pipelines need, all of it within `wgpu::Limits::default()`.
+pub fn check_device(limits: &wgpu::Limits) -> Result<(), Error> {
+    let compute = "blade update";
+    at_least(
+        compute,
+        "max_storage_buffers_per_shader_stage",
+        8,
+        limits.max_storage_buffers_per_shader_stage.into(),
+    )?;
+    at_least(
+        "scan",
+        "max_compute_invocations_per_workgroup",
+        256,
+        limits.max_compute_invocations_per_workgroup.into(),
+    )?;
+    at_least(
+        "scan",
+        "max_compute_workgroup_size_x",
+        256,
+        limits.max_compute_workgroup_size_x.into(),
+    )?;
+    at_least(compute, "max_bind_groups", 4, limits.max_bind_groups.into())?;
+    at_least(
+        "species table",
+        "max_uniform_buffer_binding_size",
+        super::page::SPECIES_TABLE_BYTES,
+        limits.max_uniform_buffer_binding_size,
+    )
+}
+
+/// Blades of one page: what one storage binding and one dispatch hold, in whole patches.
+pub fn page_blades(limits: &wgpu::Limits, patch_size: u32) -> u64 {
+    let bytes = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+    let groups = u64::from(limits.max_compute_workgroups_per_dimension);
+    let size = u64::from(patch_size.max(1));
+    let blades = PAGE_BLADES.min(bytes / 16).min(groups * size);
+    (blades / size).max(1) * size
+}
+
+/// Most blades that a field may have on a device: 16 pages of up to 4 million blades, fewer where
+/// `max_storage_buffer_binding_size` holds fewer (16 bytes a blade).
+pub fn max_blades(limits: &wgpu::Limits, patch_size: u32) -> u64 {
+    page_blades(limits, patch_size) * MAX_PAGES_OF_A_FIELD
+}

@@ -1,0 +1,284 @@
+//! A page: up to four million blades of a field in buffers that one binding holds.
+
+use super::bindings;
+use super::buffers::{filled, storage, uniform};
+use super::layout::{
+    BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuPatch, GpuSpecies, GpuView,
+    MAX_SPECIES, NEAR_STRIDE, TICKS_PER_SECOND,
+};
+use super::quantize::{gpu_patch, gpu_species, pack_blade};
+use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
+use crate::renderer::Layouts;
+use crate::{Field, PhysicsModel, Species};
+use bytemuck::Zeroable;
+use rayon::prelude::*;
+use wgpu::BufferUsages;
+
+/// Bytes of the species table.
+pub const SPECIES_TABLE_BYTES: u64 = (MAX_SPECIES * size_of::<GpuSpecies>()) as u64;
+
+/// How long a new blade counts as asleep, so that it wakes into the wind that blows.
+const ASLEEP_AT_FIRST_S: f64 = 60.0;
+
+/// The draw list of one view.
+#[derive(Debug)]
+pub struct ViewLists {
+    /// Most entries.
+    pub capacity: u32,
+    /// `GpuView`.
+    pub view: wgpu::Buffer,
+    /// Range of each bucket.
+    pub draws: wgpu::Buffer,
+    /// Arguments of each bucket's draw.
+    pub indirect: wgpu::Buffer,
+    /// Failed tests.
+    pub counted: wgpu::Buffer,
+    /// Group 2 of patch culling.
+    pub cull: wgpu::BindGroup,
+    /// Group 2 of the update.
+    pub update: wgpu::BindGroup,
+    /// Group 2 of the scan.
+    pub scan: wgpu::BindGroup,
+    /// Group 2 of compaction.
+    pub compact: wgpu::BindGroup,
+    /// Group 2 of drawing.
+    pub draw: wgpu::BindGroup,
+    bytes: u64,
+}
+
+/// Up to four million blades.
+#[derive(Debug)]
+pub struct Page {
+    /// Counts.
+    pub field: GpuField,
+    /// Whether a species has a pointed, or a flat tip.
+    pub topologies: [bool; 2],
+    dynamics: wgpu::Buffer,
+    bands: wgpu::Buffer,
+    near: wgpu::Buffer,
+    work: wgpu::Buffer,
+    /// Arguments of the dispatch over `work`, then counts.
+    pub work_size: wgpu::Buffer,
+    /// What `work_size` is reset to.
+    pub work_reset: wgpu::Buffer,
+    decisions: wgpu::Buffer,
+    blocks: wgpu::Buffer,
+    /// Group 1 of the compute stages.
+    pub group: wgpu::BindGroup,
+    /// Group 1 of drawing.
+    pub draw_group: wgpu::BindGroup,
+    /// Group 2 of the collider stage.
+    pub collide: wgpu::BindGroup,
+    /// Lists by view.
+    pub views: Vec<ViewLists>,
+    bytes: u64,
+}
+
+/// The state of a blade that stands straight up.
+fn upright_state(model: PhysicsModel) -> [u32; 2] {
+    match model {
+        PhysicsModel::Sward => [0x7f_ffff, 0x7f_ffff],
+        PhysicsModel::Paper => {
+            let (center, length) = (0xffff_u32, (16383.0_f32 / 1.25).round() as u32);
+            [center | center << 17, center >> 15 | length << 2]
+        }
+    }
+}
+
+fn first_bands(count: usize, ticks: u32) -> Vec<GpuBand> {
+    let asleep = ticks.wrapping_sub((ASLEEP_AT_FIRST_S * TICKS_PER_SECOND) as u32);
+    vec![GpuBand { ticks: asleep, ..GpuBand::zeroed() }; count]
+}
+
+fn species_table(species: &[Species]) -> Vec<GpuSpecies> {
+    let mut table: Vec<_> = species.iter().map(gpu_species).collect();
+    table.resize(MAX_SPECIES, GpuSpecies::zeroed());
+    table
+}
+
+struct Packed {
+    field: GpuField,
+    blades: Vec<[u32; 4]>,
+    patches: Vec<GpuPatch>,
+}
+
+/// Packs a run of patches.
+fn pack(field: &Field, first_patch: usize, patch_count: usize) -> Packed {
+    let patches = &field.patches()[first_patch..first_patch + patch_count];
+    let blades = patches
+        .par_iter()
+        .flat_map_iter(|patch| {
+            let own = patch.first as usize..(patch.first + patch.count) as usize;
+            field.blades()[own]
+                .iter()
+                .map(|b| pack_blade(b, patch, &field.species()[usize::from(b.species)]))
+        })
+        .collect::<Vec<_>>();
+    Packed {
+        field: GpuField {
+            blade_count: blades.len() as u32,
+            patch_count: patch_count as u32,
+            patch_size: field.patch_size(),
+            first_id: patches.first().map_or(0, |p| p.first),
+        },
+        patches: patches.iter().map(|p| gpu_patch(p, field.blades())).collect(),
+        blades,
+    }
+}
+
+impl Page {
+    /// Uploads a run of a field's patches.
+    pub fn new(
+        device: &wgpu::Device,
+        layouts: &Layouts,
+        field: &Field,
+        patch_range: std::ops::Range<usize>,
+        model: PhysicsModel,
+        ticks: u32,
+    ) -> Self {
+        let packed = pack(field, patch_range.start, patch_range.len());
+        let counts = packed.field;
+        let band_count = u64::from(counts.patch_count * (counts.patch_size / BAND));
+        let block_count = band_count.div_ceil(u64::from(BLOCK));
+        let data = |label, content: &[u8], usage| filled(device, label, content, usage);
+        let store = |label, bytes| storage(device, label, bytes, BufferUsages::empty());
+        let field_uniform = data("sward.field", bytemuck::bytes_of(&counts), BufferUsages::UNIFORM);
+        let table = species_table(field.species());
+        let species = data("sward.species", bytemuck::cast_slice(&table), BufferUsages::UNIFORM);
+        let blades =
+            data("sward.blades", bytemuck::cast_slice(&packed.blades), BufferUsages::STORAGE);
+        let patches =
+            data("sward.patches", bytemuck::cast_slice(&packed.patches), BufferUsages::STORAGE);
+        let states = vec![upright_state(model); packed.blades.len()];
+        let dynamics = data("sward.dynamics", bytemuck::cast_slice(&states), BufferUsages::STORAGE);
+        let clocks = first_bands(band_count as usize, ticks);
+        let bands = data("sward.bands", bytemuck::cast_slice(&clocks), BufferUsages::STORAGE);
+        let near = store("sward.near", u64::from(counts.patch_count * NEAR_STRIDE) * 4);
+        let work = store("sward.work", u64::from(counts.patch_count) * 8);
+        let work_size = storage(device, "sward.work_size", 32, BufferUsages::INDIRECT);
+        let reset = [0, counts.patch_size / BAND, 1, 0, 0, 0, 0, 0_u32];
+        let work_reset =
+            data("sward.work_reset", bytemuck::cast_slice(&reset), BufferUsages::empty());
+        let decisions = store("sward.decisions", band_count * u64::from(BAND) * 2);
+        let blocks = store("sward.blocks", block_count * size_of::<GpuBlock>() as u64);
+        let shared = [&field_uniform, &species, &blades, &patches];
+        let drawn = [&field_uniform, &species, &blades, &patches, &dynamics];
+        let sized = [&blades, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
+        Self {
+            field: counts,
+            topologies: topologies(field.species()),
+            group: bindings::buffers(device, "sward.field", &layouts.field, &shared),
+            draw_group: bindings::buffers(device, "sward.draw_field", &layouts.draw_field, &drawn),
+            collide: bindings::buffers(
+                device,
+                "sward.collide",
+                &layouts.collide,
+                &[&near, &work, &work_size],
+            ),
+            views: Vec::new(),
+            bytes: sized.iter().map(|b| b.size()).sum(),
+            dynamics,
+            bands,
+            near,
+            work,
+            work_size,
+            work_reset,
+            decisions,
+            blocks,
+        }
+    }
+
+    /// Blocks of the scan.
+    pub fn block_count(&self) -> u32 {
+        (self.field.patch_count * (self.field.patch_size / BAND)).div_ceil(BLOCK)
+    }
+
+    /// Bytes of everything that grows with the blades, without the draw lists.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    /// Bytes of the draw lists.
+    pub fn list_bytes(&self) -> u64 {
+        self.views.iter().map(|v| v.bytes).sum()
+    }
+
+    /// Stands every blade up again, for a model that keeps its state in other bits.
+    pub fn reset(&self, queue: &wgpu::Queue, model: PhysicsModel, ticks: u32) {
+        let states = vec![upright_state(model); self.field.blade_count as usize];
+        queue.write_buffer(&self.dynamics, 0, bytemuck::cast_slice(&states));
+        let clocks = first_bands((self.bands.size() / size_of::<GpuBand>() as u64) as usize, ticks);
+        queue.write_buffer(&self.bands, 0, bytemuck::cast_slice(&clocks));
+    }
+
+    /// Makes sure that view `index` has lists of `capacity` entries.
+    pub fn ensure_view(
+        &mut self,
+        device: &wgpu::Device,
+        layouts: &Layouts,
+        index: usize,
+        capacity: u32,
+        blade_indices: &wgpu::Buffer,
+    ) {
+        if self.views.get(index).is_some_and(|v| v.capacity == capacity) {
+            return;
+        }
+        let lists = self.view_lists(device, layouts, capacity, blade_indices);
+        if index < self.views.len() {
+            self.views[index] = lists;
+        } else {
+            self.views.push(lists);
+        }
+    }
+
+    fn view_lists(
+        &self,
+        device: &wgpu::Device,
+        layouts: &Layouts,
+        capacity: u32,
+        blade_indices: &wgpu::Buffer,
+    ) -> ViewLists {
+        debug_assert_eq!(blade_indices.size(), SCAN_BLADE_INDICES_BYTES);
+        let store = |label, bytes, more| storage(device, label, bytes, more);
+        let none = BufferUsages::empty();
+        let view = uniform(device, "sward.view", size_of::<GpuView>() as u64);
+        let list = store("sward.list", u64::from(capacity) * 4, none);
+        let draws_bytes = (BUCKETS * size_of::<GpuDraw>()) as u64;
+        let draws = store("sward.draws", draws_bytes, none);
+        let indirect = store("sward.indirect", BUCKETS as u64 * 20, BufferUsages::INDIRECT);
+        let counted = store("sward.counted", 32, none);
+        let bind =
+            |label, layout, list: &[&wgpu::Buffer]| bindings::buffers(device, label, layout, list);
+        let update = [&view, &self.bands, &self.work, &self.dynamics, &self.near, &self.decisions];
+        let scan = [&view, &self.bands, &self.blocks, &draws, &indirect, &counted, blade_indices];
+        let compact = [&view, &self.bands, &self.blocks, &self.work, &self.decisions, &list];
+        ViewLists {
+            capacity,
+            cull: bind(
+                "sward.cull",
+                &layouts.cull,
+                &[&view, &self.bands, &self.work, &self.work_size],
+            ),
+            update: bind("sward.update", &layouts.update, &update),
+            scan: bind("sward.scan", &layouts.scan, &scan),
+            compact: bind("sward.compact", &layouts.compact, &compact),
+            draw: bind("sward.draw", &layouts.draw, &[&view, &list, &draws]),
+            bytes: list.size(),
+            view,
+            draws,
+            indirect,
+            counted,
+        }
+    }
+
+    /// The packed dynamic states, for tests.
+    #[cfg(test)]
+    pub fn dynamics(&self) -> &wgpu::Buffer {
+        &self.dynamics
+    }
+}
+
+fn topologies(species: &[Species]) -> [bool; 2] {
+    let flat = |s: &Species| super::quantize::has_flat_tip(s);
+    [!species.iter().all(flat), species.iter().any(flat)]
+}

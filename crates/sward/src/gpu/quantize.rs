@@ -1,0 +1,172 @@
+//! Blades, species and patches to their GPU form, and a blade back again.
+
+use super::layout::{GpuPatch, GpuSpecies};
+use crate::grow::{Blade, Patch};
+use crate::species::{ColorRange, Range, Shape, Species};
+use glam::{Vec2, Vec3};
+use std::f32::consts::TAU;
+
+/// Two unit vectors perpendicular to a unit `up` and to each other; facing turns from the first to
+/// the second.
+pub fn tangent_frame(up: Vec3) -> (Vec3, Vec3) {
+    if up.y < -0.99 {
+        let second = Vec3::new(0.0, up.z, -up.y).normalize_or(Vec3::Z);
+        return (second.cross(up), second);
+    }
+    let a = 1.0 / (1.0 + up.y);
+    let b = -up.x * up.z * a;
+    (Vec3::new(1.0 - up.x * up.x * a, -up.x, b), Vec3::new(b, -up.z, 1.0 - up.z * up.z * a))
+}
+
+fn oct_encode(v: Vec3) -> Vec2 {
+    let sum = (v.x.abs() + v.y.abs() + v.z.abs()).max(1e-12);
+    let e = Vec2::new(v.x, v.z) / sum;
+    if v.y >= 0.0 {
+        return e;
+    }
+    let sign = |x: f32| if x >= 0.0 { 1.0 } else { -1.0 };
+    Vec2::new((1.0 - e.y.abs()) * sign(e.x), (1.0 - e.x.abs()) * sign(e.y))
+}
+
+fn oct_decode(e: Vec2) -> Vec3 {
+    let y = 1.0 - e.x.abs() - e.y.abs();
+    let fold = (-y).max(0.0);
+    let unfold = |x: f32| x - if x >= 0.0 { fold } else { -fold };
+    Vec3::new(unfold(e.x), y, unfold(e.y)).normalize_or(Vec3::Y)
+}
+
+fn snorm16(x: f32) -> u32 {
+    u32::from((x.clamp(-1.0, 1.0) * 32767.0).round() as i16 as u16)
+}
+
+fn from_snorm16(bits: u32) -> f32 {
+    (f32::from(bits as u16 as i16) / 32767.0).max(-1.0)
+}
+
+/// Where `value` lies in a range, in `0..=steps`.
+fn step_in(range: Range, value: f32, steps: f32) -> u32 {
+    let span = range.max - range.min;
+    if span <= 0.0 {
+        return 0;
+    }
+    (((value - range.min) / span).clamp(0.0, 1.0) * steps).round() as u32
+}
+
+/// The cube that a patch's roots are quantised in: its corner and edge.
+pub fn patch_cube(patch: &Patch) -> (Vec3, f32) {
+    let edge = (patch.root_max - patch.root_min).max_element().max(1e-6);
+    (patch.root_min, edge)
+}
+
+/// The 16 static bytes of a blade.
+pub fn pack_blade(blade: &Blade, patch: &Patch, species: &Species) -> [u32; 4] {
+    let (origin, edge) = patch_cube(patch);
+    let q = ((blade.root - origin) / edge).clamp(Vec3::ZERO, Vec3::ONE) * 65535.0;
+    let (x, y, z) = (q.x.round() as u32, q.y.round() as u32, q.z.round() as u32);
+    let response = step_in(species.response, blade.response, 255.0);
+    let up = oct_encode(blade.up);
+    let facing = (blade.facing / TAU * 4096.0).round() as i64 as u32 & 0xfff;
+    let height = step_in(species.height_m, blade.height, 4095.0);
+    let width = step_in(species.width_m, blade.width, 255.0);
+    [
+        x | y << 16,
+        z | u32::from(blade.species) << 16 | response << 24,
+        snorm16(up.x) | snorm16(up.y) << 16,
+        facing | height << 12 | width << 24,
+    ]
+}
+
+/// The blade that the shaders see: the twin of `unpack_blade` in field.wgsl.
+pub fn unpack_blade(words: [u32; 4], patch: &Patch, species: &[Species]) -> Blade {
+    let (origin, edge) = patch_cube(patch);
+    let q =
+        Vec3::new((words[0] & 0xffff) as f32, (words[0] >> 16) as f32, (words[1] & 0xffff) as f32);
+    let kind = (words[1] >> 16 & 0xff) as u8;
+    let own = &species[usize::from(kind)];
+    Blade {
+        root: origin + q * (edge / 65535.0),
+        up: oct_decode(Vec2::new(from_snorm16(words[2] & 0xffff), from_snorm16(words[2] >> 16))),
+        facing: (words[3] & 0xfff) as f32 * (TAU / 4096.0),
+        height: own.height_m.at((words[3] >> 12 & 0xfff) as f32 / 4095.0),
+        width: own.width_m.at((words[3] >> 24) as f32 / 255.0),
+        response: own.response.at((words[1] >> 24) as f32 / 255.0),
+        species: kind,
+    }
+}
+
+/// A patch's box and cube.
+pub fn gpu_patch(patch: &Patch, blades: &[Blade]) -> GpuPatch {
+    let (origin, edge) = patch_cube(patch);
+    let own = &blades[patch.first as usize..(patch.first + patch.count) as usize];
+    GpuPatch {
+        origin: origin.to_array(),
+        edge,
+        reach_min: patch.reach_min.to_array(),
+        max_height: own.iter().fold(0.0, |m, b| m.max(b.height)),
+        reach_max: patch.reach_max.to_array(),
+        max_width: own.iter().fold(0.0, |m, b| m.max(b.width)),
+    }
+}
+
+/// Share of the width left at `v` (J equation 22): the twin of `outline` in draw.wgsl.
+pub fn outline(shape: Shape, v: f32) -> f32 {
+    match shape {
+        Shape::Quad => 1.0,
+        Shape::Triangle => 1.0 - v,
+        Shape::Quadratic => 1.0 - v * v,
+        Shape::TriangleTip { tip } => 1.0 - (v - tip).max(0.0) / (1.0 - tip),
+    }
+}
+
+/// Area of the outline drawn with so many segments, for a blade at rest, whose curve parameter
+/// runs as 2v - v^2 along its length.
+fn outline_area(shape: Shape, segments: u32) -> f32 {
+    let along = |v: f32| 2.0 * v - v * v;
+    (0..segments)
+        .map(|k| {
+            let (v0, v1) = (k as f32 / segments as f32, (k + 1) as f32 / segments as f32);
+            0.5 * (outline(shape, v0) + outline(shape, v1)) * (along(v1) - along(v0))
+        })
+        .sum()
+}
+
+/// Segments of each level.
+pub const SEGMENTS: [u32; 4] = [8, 4, 2, 1];
+
+/// A species' table entry.
+pub fn gpu_species(species: &Species) -> GpuSpecies {
+    let range = |r: Range| [r.min, r.max - r.min];
+    let rgb = |c: [f32; 3]| [c[0], c[1], c[2], 0.0];
+    let full = outline_area(species.shape, 256);
+    let (shape, tip) = match species.shape {
+        Shape::Quad => (0, 0.5),
+        Shape::Triangle => (1, 0.5),
+        Shape::Quadratic => (2, 0.5),
+        Shape::TriangleTip { tip } => (3, tip),
+    };
+    let ColorRange { from: root_from, to: root_to } = species.root_color;
+    let ColorRange { from: tip_from, to: tip_to } = species.tip_color;
+    GpuSpecies {
+        height: range(species.height_m),
+        width: range(species.width_m),
+        response: range(species.response),
+        droop: range(species.droop),
+        gust: species.gust,
+        arch: species.arch,
+        ridge: species.ridge,
+        tip,
+        shape,
+        first_bucket: if has_flat_tip(species) { 4 } else { 0 },
+        reserved: [0; 2],
+        area_scale: SEGMENTS.map(|n| full / outline_area(species.shape, n)),
+        root_from: rgb(root_from),
+        root_to: rgb(root_to),
+        tip_from: rgb(tip_from),
+        tip_to: rgb(tip_to),
+    }
+}
+
+/// Whether the outline ends in an edge rather than a point.
+pub fn has_flat_tip(species: &Species) -> bool {
+    species.shape == Shape::Quad
+}

@@ -1,0 +1,126 @@
+//! The shipped WGSL, assembled by concatenation: each stage lists the parts that it is made of.
+
+macro_rules! part {
+    ($path:literal) => {
+        include_str!(concat!("../", $path))
+    };
+}
+
+const FRAME: &str = part!("shared/frame.wgsl");
+const NOISE: &str = part!("shared/noise.wgsl");
+const BLADE: &str = part!("shared/blade.wgsl");
+const CURVE: &str = part!("shared/curve.wgsl");
+const FIELD: &str = part!("shared/field.wgsl");
+const STATE: &str = part!("shared/state.wgsl");
+const VIEW: &str = part!("shared/view.wgsl");
+const BAND: &str = part!("shared/band.wgsl");
+const DEPTH_SINGLE: &str = part!("shared/depth_single.wgsl");
+const DEPTH_MULTISAMPLED: &str = part!("shared/depth_multisampled.wgsl");
+const WIND: &str = part!("frame/wind/wind.wgsl");
+const CONTACT: &str = part!("frame/collide/contact.wgsl");
+const COLLIDE: &str = part!("frame/collide/collide.wgsl");
+const PHYSICS: &str = part!("frame/physics/physics.wgsl");
+const PAPER: &str = part!("frame/physics/paper.wgsl");
+const TESTS: &str = part!("frame/cull/tests.wgsl");
+const CULL: &str = part!("frame/cull/cull.wgsl");
+const LEVEL: &str = part!("frame/level/level.wgsl");
+const UPDATE: &str = part!("frame/update/update.wgsl");
+const SCAN: &str = part!("frame/compact/scan.wgsl");
+const COMPACT: &str = part!("frame/compact/compact.wgsl");
+const LIGHT: &str = part!("frame/light/light.wgsl");
+const DRAW: &str = part!("frame/draw/draw.wgsl");
+
+/// One shader module of the library.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shader {
+    /// Spheres near each patch.
+    Collide,
+    /// Patches that a view sees.
+    Cull,
+    /// Physics, blade tests and level, reading a single-sampled depth.
+    Update,
+    /// The same, reading a multisampled depth.
+    UpdateMultisampled,
+    /// Prefix sums.
+    Scan,
+    /// The draw list.
+    Compact,
+    /// Blades.
+    Draw,
+}
+
+impl Shader {
+    /// Every module.
+    #[cfg(test)]
+    pub const ALL: [Self; 7] = [
+        Self::Collide,
+        Self::Cull,
+        Self::Update,
+        Self::UpdateMultisampled,
+        Self::Scan,
+        Self::Compact,
+        Self::Draw,
+    ];
+
+    /// Label in debuggers: `sward.` and the stage's stem.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Collide => "sward.collide",
+            Self::Cull => "sward.cull",
+            Self::Update | Self::UpdateMultisampled => "sward.update",
+            Self::Scan => "sward.scan",
+            Self::Compact => "sward.compact",
+            Self::Draw => "sward.draw",
+        }
+    }
+
+    fn parts(self) -> Vec<&'static str> {
+        let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
+        let update = [STATE, BAND, VIEW, LEVEL, WIND, CONTACT, PHYSICS, PAPER, TESTS, UPDATE];
+        let rest: &[&str] = match self {
+            Self::Collide => &[COLLIDE],
+            Self::Cull => &[BAND, VIEW, LEVEL, CULL],
+            Self::Update => &[DEPTH_SINGLE],
+            Self::UpdateMultisampled => &[DEPTH_MULTISAMPLED],
+            Self::Scan => &[BAND, VIEW, SCAN],
+            Self::Compact => &[BAND, VIEW, COMPACT],
+            Self::Draw => &[STATE, VIEW, LEVEL, LIGHT, DRAW],
+        };
+        let mut parts = [&field[..], rest].concat();
+        if matches!(self, Self::Update | Self::UpdateMultisampled) {
+            parts.extend(update);
+        }
+        parts
+    }
+
+    /// The whole source.
+    pub fn source(self) -> String {
+        self.parts().concat()
+    }
+
+    /// Compiles the module.
+    pub fn module(self, device: &wgpu::Device) -> wgpu::ShaderModule {
+        device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(self.label()),
+            source: wgpu::ShaderSource::Wgsl(self.source().into()),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Shader;
+    use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    #[test]
+    fn every_shader_is_valid() {
+        for shader in Shader::ALL {
+            let source = shader.source();
+            let module = naga::front::wgsl::parse_str(&source)
+                .unwrap_or_else(|e| panic!("{shader:?}: {}", e.emit_to_string(&source)));
+            Validator::new(ValidationFlags::all(), Capabilities::default())
+                .validate(&module)
+                .unwrap_or_else(|e| panic!("{shader:?}: {}", e.emit_to_string(&source)));
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! A view's uniform: matrices, frustum planes, projected sizes, flags.
+
+use super::layout::GpuView;
+use crate::{Error, View};
+use glam::{Mat4, Vec3, Vec4};
+
+/// Survivors are widened to this many pixels at detail 1.
+const LEAST_WIDTH_PX: f32 = 1.0;
+
+const FRUSTUM: u32 = 1;
+const DISTANCE: u32 = 2;
+const ORIENTATION: u32 = 4;
+const OCCLUSION: u32 = 8;
+const PAPER: u32 = 16;
+const WIDTH_CORRECTION: u32 = 32;
+const HAS_DEPTH: u32 = 64;
+
+fn normalized_plane(plane: Vec4) -> [f32; 4] {
+    let length = plane.truncate().length();
+    // An infinite far plane has no normal: it lies behind nothing
+    if length > 1e-12 { (plane / length).to_array() } else { [0.0, 0.0, 0.0, 1.0] }
+}
+
+/// Inward planes of the clip volume: left, right, bottom, top, near, far.
+pub fn frustum_planes(clip_from_world: Mat4) -> [[f32; 4]; 6] {
+    let m = clip_from_world.transpose();
+    let (x, y, z, w) = (m.x_axis, m.y_axis, m.z_axis, m.w_axis);
+    [w + x, w - x, w + y, w - y, z, w - z].map(normalized_plane)
+}
+
+fn flags(view: &View) -> u32 {
+    let culling = view.culling;
+    [
+        (culling.frustum, FRUSTUM),
+        (culling.distance, DISTANCE),
+        (culling.orientation, ORIENTATION),
+        (culling.occlusion, OCCLUSION),
+        (culling.paper, PAPER),
+        (view.width_correction, WIDTH_CORRECTION),
+        (view.opaque_depth.is_some(), HAS_DEPTH),
+    ]
+    .iter()
+    .fold(0, |sum, (on, bit)| if *on { sum | bit } else { sum })
+}
+
+/// The uniform of a view.
+///
+/// # Errors
+/// [`Error::Setting`] where a matrix is not finite or not invertible, or the size is zero.
+pub fn gpu_view(view: &View, capacity: u32) -> Result<GpuView, Error> {
+    let clip_from_world = view.clip_from_view * view.view_from_world;
+    let world_from_view = view.view_from_world.inverse();
+    if !clip_from_world.is_finite() || !world_from_view.is_finite() {
+        return Err(Error::setting("view", "its matrices must be finite and invertible"));
+    }
+    if view.size.contains(&0) {
+        return Err(Error::setting("view.size", "must be at least 1 x 1 pixels"));
+    }
+    if !(view.detail > 0.0) || !(view.culling.max_distance_m > 0.0) {
+        return Err(Error::setting("view", "detail and max_distance_m must be above 0"));
+    }
+    let clip = view.clip_from_view;
+    let perspective = clip.w_axis.w.abs() < 0.5;
+    let row = view.view_from_world.transpose().z_axis;
+    let focal = (clip.y_axis.y.abs() * view.size[1] as f32 * 0.5)
+        .max(clip.x_axis.x.abs() * view.size[0] as f32 * 0.5);
+    let eye: Vec3 = world_from_view.w_axis.truncate();
+    let detail = view.detail.clamp(1e-3, 1e6);
+    Ok(GpuView {
+        clip_from_world: clip_from_world.to_cols_array_2d(),
+        eye: eye.extend(if perspective { 1.0 } else { 0.0 }).to_array(),
+        depth_row: (-row).to_array(),
+        planes: frustum_planes(clip_from_world),
+        depth_from_value: [-clip.w_axis.z, -clip.w_axis.w, clip.z_axis.w, clip.z_axis.z],
+        size: [view.size[0] as f32, view.size[1] as f32],
+        focal,
+        detail,
+        least_width: LEAST_WIDTH_PX / detail,
+        max_distance: view.culling.max_distance_m.min(1e30),
+        flags: flags(view),
+        capacity,
+    })
+}

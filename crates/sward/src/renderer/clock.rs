@@ -1,0 +1,40 @@
+//! Simulated time.
+
+use crate::gpu::layout::TICKS_PER_SECOND;
+
+/// Longest step; a longer one is cut, as after a breakpoint or a closed lid.
+const LONGEST_STEP_S: f32 = 10.0;
+
+/// Counts steps and time; kept in f64 so that days pass without loss.
+#[derive(Debug)]
+pub(crate) struct Clock {
+    time_s: f64,
+    step: u32,
+}
+
+impl Default for Clock {
+    fn default() -> Self {
+        // Step 0 is every new band's: 2 apart, so that it counts as asleep
+        Self { time_s: 0.0, step: 1 }
+    }
+}
+
+impl Clock {
+    /// One step on; returns the seconds that it takes.
+    pub(crate) fn advance(&mut self, dt_s: f32) -> f32 {
+        let dt_s = if dt_s.is_finite() { dt_s.clamp(0.0, LONGEST_STEP_S) } else { 0.0 };
+        self.time_s += f64::from(dt_s);
+        self.step = self.step.wrapping_add(1);
+        dt_s
+    }
+
+    /// Number of the step.
+    pub(crate) fn step(&self) -> u32 {
+        self.step
+    }
+
+    /// Time in 1/16384 s, wrapping after three days.
+    pub(crate) fn ticks(&self) -> u32 {
+        (self.time_s * TICKS_PER_SECOND) as u64 as u32
+    }
+}

@@ -1,0 +1,16 @@
+// What is kept for each run of 64 blades: the unit of a workgroup.
+
+struct GpuBand {
+    // Step and time when its blades were last advanced
+    step: u32,
+    ticks: u32,
+    // Blades that failed a test, two a word: orientation, frustum | distance, occlusion
+    culled: vec2<u32>,
+    // Survivors by bucket, two a word; after the scan, their offset in the block of 256 bands
+    counts: vec4<u32>,
+    // Sphere tests made
+    tested: u32,
+    reserved_a: u32,
+    reserved_b: u32,
+    reserved_c: u32,
+}

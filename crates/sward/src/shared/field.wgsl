@@ -1,0 +1,116 @@
+// One page of a field: group 1. The layout and its precision are documented in gpu/layout.rs.
+
+struct GpuField {
+    blade_count: u32,
+    patch_count: u32,
+    patch_size: u32,
+    // Index in the field of the page's first blade
+    first_id: u32,
+}
+
+struct GpuPatch {
+    // Corner of the roots' box, and the edge of the cube that roots are quantised in
+    origin: vec3<f32>,
+    edge: f32,
+    // Box of every pose
+    reach_min: vec3<f32>,
+    max_height: f32,
+    reach_max: vec3<f32>,
+    max_width: f32,
+}
+
+struct GpuSpecies {
+    // min, span
+    height: vec2<f32>,
+    width: vec2<f32>,
+    response: vec2<f32>,
+    droop: vec2<f32>,
+    gust: f32,
+    arch: f32,
+    ridge: f32,
+    // Where the taper of a triangle-tip begins
+    tip: f32,
+    // 0 quad, 1 triangle, 2 quadratic, 3 triangle-tip
+    shape: u32,
+    // First bucket of its topology: 0 pointed, 4 flat tip
+    first_bucket: u32,
+    reserved: vec2<u32>,
+    // Per level: width factor that keeps the outline's area when it is drawn with few segments
+    area_scale: vec4<f32>,
+    root_from: vec4<f32>,
+    root_to: vec4<f32>,
+    tip_from: vec4<f32>,
+    tip_to: vec4<f32>,
+}
+
+@group(1) @binding(0) var<uniform> field: GpuField;
+@group(1) @binding(1) var<uniform> species_table: array<GpuSpecies, 256>;
+@group(1) @binding(2) var<storage, read> blades: array<vec4<u32>>;
+@group(1) @binding(3) var<storage, read> patches: array<GpuPatch>;
+
+const BAND: u32 = 64u;
+const BUCKETS: u32 = 8u;
+
+fn bands_per_patch() -> u32 {
+    return field.patch_size / BAND;
+}
+
+fn patch_blades(patch_index: u32) -> u32 {
+    return min(field.patch_size, field.blade_count - patch_index * field.patch_size);
+}
+
+fn oct_decode(e: vec2<f32>) -> vec3<f32> {
+    // y is the axis that the octahedron folds about: most grass points up
+    let y = 1.0 - abs(e.x) - abs(e.y);
+    let fold = max(-y, 0.0);
+    let x = e.x - select(-fold, fold, e.x >= 0.0);
+    let z = e.y - select(-fold, fold, e.y >= 0.0);
+    return normalize(vec3<f32>(x, y, z));
+}
+
+struct Frame3 {
+    first: vec3<f32>,
+    second: vec3<f32>,
+}
+
+// Two unit vectors perpendicular to up and to each other. No sign switch anywhere near +y or the
+// horizon, where the stages could otherwise round to different sides of it.
+fn tangent_frame(up: vec3<f32>) -> Frame3 {
+    if up.y < -0.99 {
+        let s = normalize(vec3<f32>(0.0, up.z, -up.y));
+        return Frame3(cross(s, up), s);
+    }
+    let a = 1.0 / (1.0 + up.y);
+    let b = -up.x * up.z * a;
+    return Frame3(
+        vec3<f32>(1.0 - up.x * up.x * a, -up.x, b),
+        vec3<f32>(b, -up.z, 1.0 - up.z * up.z * a),
+    );
+}
+
+fn unpack_blade(index: u32) -> Blade {
+    let w = blades[index];
+    let home = patches[index / field.patch_size];
+    let kind = (w.y >> 16u) & 0xffu;
+    let id = field.first_id + index;
+    let q = vec3<f32>(f32(w.x & 0xffffu), f32(w.x >> 16u), f32(w.y & 0xffffu));
+    var blade: Blade;
+    blade.root = home.origin + q * (home.edge / 65535.0);
+    blade.up = oct_decode(unpack2x16snorm(w.z));
+    let axes = tangent_frame(blade.up);
+    let angle = f32(w.w & 0xfffu) * (6.2831853 / 4096.0);
+    blade.facing = axes.first * cos(angle) + axes.second * sin(angle);
+    let height = f32((w.w >> 12u) & 0xfffu) / 4095.0;
+    let width = f32(w.w >> 24u) / 255.0;
+    let response = f32(w.y >> 24u) / 255.0;
+    blade.height = species_table[kind].height.x + species_table[kind].height.y * height;
+    blade.width = species_table[kind].width.x + species_table[kind].width.y * width;
+    blade.response = species_table[kind].response.x + species_table[kind].response.y * response;
+    blade.droop = species_table[kind].droop.x
+        + species_table[kind].droop.y * hash01(id, 11u);
+    blade.gust = species_table[kind].gust;
+    blade.arch = species_table[kind].arch;
+    blade.species = kind;
+    blade.id = id;
+    return blade;
+}

@@ -1,0 +1,4 @@
+//! What several stages share: pure functions, each in WGSL and as its CPU twin.
+
+pub mod curve_twin;
+pub mod noise_twin;

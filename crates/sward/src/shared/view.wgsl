@@ -1,0 +1,48 @@
+// A camera or a shadow cascade: group 2, binding 0 of the stages that need it.
+
+struct GpuView {
+    clip_from_world: mat4x4<f32>,
+    // xyz eye in metres; w 1 for perspective, 0 for orthographic
+    eye: vec4<f32>,
+    // World to distance along the view direction: dot(xyz, p) + w
+    depth_row: vec4<f32>,
+    // Inward planes: left, right, bottom, top, near, far
+    planes: array<vec4<f32>, 6>,
+    // Linear depth = (x - d y) / (d z - w) for a depth value d
+    depth_from_value: vec4<f32>,
+    size: vec2<f32>,
+    // Pixels that a metre covers at distance 1 (perspective) or at any (orthographic)
+    focal: f32,
+    // Multiplies projected sizes where detail is chosen
+    detail: f32,
+    // Blades thinner than this many pixels are thinned out and widened to it
+    least_width: f32,
+    max_distance: f32,
+    // Bits: 0 frustum, 1 distance, 2 orientation, 3 occlusion, 4 paper, 5 width correction, 6 depth
+    flags: u32,
+    // Most entries of the draw list
+    capacity: u32,
+}
+
+@group(2) @binding(0) var<uniform> view: GpuView;
+
+const CULL_FRUSTUM: u32 = 1u;
+const CULL_DISTANCE: u32 = 2u;
+const CULL_ORIENTATION: u32 = 4u;
+const CULL_OCCLUSION: u32 = 8u;
+const CULL_PAPER: u32 = 16u;
+const WIDTH_CORRECTION: u32 = 32u;
+const HAS_DEPTH: u32 = 64u;
+
+fn has(flag: u32) -> bool {
+    return (view.flags & flag) != 0u;
+}
+
+fn distance_to(p: vec3<f32>) -> f32 {
+    return distance(p, view.eye.xyz);
+}
+
+// Pixels that a metre covers at a distance; the same wherever the camera turns.
+fn pixels_per_metre(distance: f32) -> f32 {
+    return view.focal / select(1.0, max(distance, 0.01), view.eye.w > 0.5);
+}

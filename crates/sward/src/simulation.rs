@@ -1,0 +1,111 @@
+//! What one step of the simulation needs: time, wind, colliders, gravity, light.
+
+use crate::frame::wind::Wind;
+use glam::Vec3;
+
+/// A sphere that pushes blades aside.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sphere {
+    /// Centre, metres.
+    pub center: Vec3,
+    /// Radius, metres, above 0.
+    pub radius: f32,
+}
+
+/// Which physical model moves the blades.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PhysicsModel {
+    /// Exact step, length by projection, scale-free species.
+    #[default]
+    Sward,
+    /// Equations 1 to 16 of J as printed, with the errata.
+    Paper,
+}
+
+/// Gravity (J equations 4 to 6): a direction, a centre, and the blend between them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gravity {
+    /// Unit direction of the uniform part.
+    pub direction: Vec3,
+    /// Its strength; 1 is what a species' droop means.
+    pub strength: f32,
+    /// Centre that the other part pulls to.
+    pub center: Vec3,
+    /// Strength of that part.
+    pub center_strength: f32,
+    /// Blend: 0 is the direction alone, 1 the centre alone.
+    pub blend: f32,
+}
+
+impl Default for Gravity {
+    fn default() -> Self {
+        Self {
+            direction: Vec3::NEG_Y,
+            strength: 1.0,
+            center: Vec3::ZERO,
+            center_strength: 1.0,
+            blend: 0.0,
+        }
+    }
+}
+
+/// Sun and sky for the built-in shading.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Light {
+    /// Unit direction from the ground to the sun.
+    pub to_sun: Vec3,
+    /// Sun's irradiance, linear RGB.
+    pub sun: Vec3,
+    /// Sky light from above.
+    pub sky: Vec3,
+    /// Light from the ground, below.
+    pub ground: Vec3,
+    /// Colour that distance fades to.
+    pub haze: Vec3,
+    /// Share of the light lost to haze a metre; 0 is clear air, 0.002 a summer's day.
+    pub haze_per_m: f32,
+}
+
+impl Default for Light {
+    fn default() -> Self {
+        Self {
+            to_sun: Vec3::new(0.45, 0.55, -0.7).normalize(),
+            sun: Vec3::new(3.1, 2.8, 2.3),
+            sky: Vec3::new(0.55, 0.75, 1.05),
+            ground: Vec3::new(0.16, 0.17, 0.10),
+            haze: Vec3::new(0.62, 0.74, 0.86),
+            haze_per_m: 0.0,
+        }
+    }
+}
+
+/// What happens in one step of the simulation.
+#[derive(Debug, Clone)]
+pub struct Frame<'a> {
+    /// Seconds since the last step; clamped to 0..=10.
+    pub dt_s: f32,
+    /// The wind, already advanced by the host.
+    pub wind: &'a Wind,
+    /// Spheres that push blades.
+    pub spheres: &'a [Sphere],
+    /// Gravity.
+    pub gravity: Gravity,
+    /// Light for drawing.
+    pub light: Light,
+    /// Physical model.
+    pub physics: PhysicsModel,
+}
+
+impl<'a> Frame<'a> {
+    /// A step with the defaults: no spheres, plain gravity, a clear day.
+    pub fn new(dt_s: f32, wind: &'a Wind) -> Self {
+        Self {
+            dt_s,
+            wind,
+            spheres: &[],
+            gravity: Gravity::default(),
+            light: Light::default(),
+            physics: PhysicsModel::default(),
+        }
+    }
+}

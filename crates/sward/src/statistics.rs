@@ -1,0 +1,32 @@
+//! Counted work.
+
+/// Counted work of one frame, read back a frame or more late.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Statistics {
+    /// Blades of the field.
+    pub blades: u64,
+    /// Patches of the field.
+    pub patches: u64,
+    /// Patches that passed the coarse tests.
+    pub patches_visible: u64,
+    /// Blades in those patches.
+    pub blades_visible: u64,
+    /// Blades drawn.
+    pub blades_drawn: u64,
+    /// Failed the orientation test (a blade that fails two tests counts in both).
+    pub culled_orientation: u64,
+    /// Failed the frustum test.
+    pub culled_frustum: u64,
+    /// Failed the distance test.
+    pub culled_distance: u64,
+    /// Failed the occlusion test.
+    pub culled_occlusion: u64,
+    /// Survivors that did not fit the list.
+    pub dropped: u64,
+    /// Sphere tests made by the blades.
+    pub spheres_tested: u64,
+    /// Spheres beyond a patch's list.
+    pub spheres_dropped: u64,
+    /// Vertices drawn.
+    pub vertices: u64,
+}

@@ -1,0 +1,71 @@
+//! Views: cameras and shadow cascades that share one simulation.
+
+use glam::Mat4;
+
+/// Which tests cull blades, and how.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Culling {
+    /// Frustum test on patches and blades.
+    pub frustum: bool,
+    /// Thinning by projected size (or J equation 20).
+    pub distance: bool,
+    /// Blades seen edge-on.
+    pub orientation: bool,
+    /// Blades hidden by the opaque scene.
+    pub occlusion: bool,
+    /// The paper's own tests (J equations 17 to 20) instead of ours.
+    pub paper: bool,
+    /// Farthest distance that blades are drawn at, metres.
+    pub max_distance_m: f32,
+}
+
+impl Default for Culling {
+    fn default() -> Self {
+        Self {
+            frustum: true,
+            distance: true,
+            orientation: true,
+            occlusion: true,
+            paper: false,
+            max_distance_m: f32::INFINITY,
+        }
+    }
+}
+
+/// A camera or a shadow cascade that blades are culled for and drawn to.
+#[derive(Debug, Clone, Copy)]
+pub struct View<'a> {
+    /// World to view: right-handed, looking along -z.
+    pub view_from_world: Mat4,
+    /// View to clip, z in 0..w.
+    pub clip_from_view: Mat4,
+    /// Size of the target, pixels.
+    pub size: [u32; 2],
+    /// Depth of the opaque scene as seen from this view, for the occlusion test.
+    pub opaque_depth: Option<&'a wgpu::TextureView>,
+    /// Which tests.
+    pub culling: Culling,
+    /// Detail: 1 is the default; higher keeps more segments and thins later; infinity keeps all.
+    pub detail: f32,
+    /// Keep blades at least a pixel wide (J equation 24); off for supersampled references.
+    pub width_correction: bool,
+    /// Most blades to list; `None` has room for all (4 bytes a blade of the field and view). What
+    /// does not fit is dropped, nearest levels kept first, and counted.
+    pub max_blades: Option<u32>,
+}
+
+impl View<'_> {
+    /// A view with the default culling and detail.
+    pub fn new(view_from_world: Mat4, clip_from_view: Mat4, size: [u32; 2]) -> Self {
+        Self {
+            view_from_world,
+            clip_from_view,
+            size,
+            opaque_depth: None,
+            culling: Culling::default(),
+            detail: 1.0,
+            width_correction: true,
+            max_blades: None,
+        }
+    }
+}
