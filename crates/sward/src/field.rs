@@ -68,8 +68,8 @@ pub struct FieldDesc {
     /// Blades a square metre, before thinning by map, slope and height. More costs memory (32
     /// bytes a blade) and frame time.
     pub density: f32,
-    /// Blades in all, exactly, in place of `density`, which then is not used; map, slope and height
-    /// still shape where they stand.
+    /// Blades in all, exactly, in place of `density`, which then is not used; before thinning by
+    /// map, slope and height, as `density` is.
     pub count: Option<u64>,
     /// Same seed, same field, bit for bit.
     pub seed: u64,
