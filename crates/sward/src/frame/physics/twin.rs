@@ -5,6 +5,7 @@
 
 use crate::frame::collide::twin::contact_largest;
 use crate::shared::curve_twin::{project_tip, safe_normalize};
+use crate::shared::noise_twin::smoothstep;
 use crate::{Gravity, Sphere, Wind};
 use glam::DVec3;
 
@@ -95,11 +96,6 @@ fn gravity_velocity(blade: &Blade, tip: DVec3, gravity: &Gravity) -> DVec3 {
     let turned = smoothstep(0.4, 0.9, l);
     let front = blade.facing * (1.0 - turned) + flat * (turned / l.max(0.1));
     (pull + front * (pull.length() * 0.25)) * (blade.droop * blade.response)
-}
-
-fn smoothstep(from: f64, to: f64, value: f64) -> f64 {
-    let t = ((value - from) / (to - from)).clamp(0.0, 1.0);
-    t * t * (3.0 - 2.0 * t)
 }
 
 /// Velocity by wind of strength `wind` (equations 7 and 8). Beyond the printed form, wind along
