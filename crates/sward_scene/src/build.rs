@@ -1,6 +1,7 @@
 //! From a scene file to a [`Scene`].
 
 mod fields;
+mod inside;
 mod settings;
 mod views;
 
@@ -8,7 +9,7 @@ use crate::check::{Key, Problem};
 use crate::error::{SceneError, one_line};
 use crate::locate::locate;
 use crate::objects::Placed;
-use crate::schema::{SceneFile, Source};
+use crate::schema::{FieldFile, SceneFile, Source};
 use crate::{Object, Scene, SceneField, assets};
 use ron::extensions::Extensions;
 use std::path::{Path, PathBuf};
@@ -98,14 +99,22 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         hosts.push(host(context, field, index, &mut placed)?);
     }
     let checked = settings::Settings::check(file).map_err(|problem| context.error(problem))?;
-    let cameras = views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
+    let cameras =
+        views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
     let spheres = views::spheres(file, &placed).map_err(|problem| context.error(problem))?;
     let descs = fields::descriptions(context, file)?;
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
     let mut fields = Vec::with_capacity(descs.len());
     let described = file.fields.iter().zip(descs).zip(surfaces).enumerate();
-    for (index, ((field, desc), (object, surface))) in described {
-        let name = field.name.clone().unwrap_or_else(|| format!("field {index}"));
+    for (index, ((field, mut desc), (object, mut surface))) in described {
+        if let Some(disk) = &field.inside {
+            let key = Key::list("fields", index).at("inside");
+            let (part, mask) = inside::cut(surface.mesh(), disk, &key)
+                .map_err(|problem| context.error(problem))?;
+            surface = self::surface(context, &field_name(field, index), part)?;
+            desc.density_map = Some(mask);
+        }
+        let name = field_name(field, index);
         fields.push(SceneField { name, object, surface, desc });
     }
     let stem = context.path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
@@ -129,10 +138,14 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
     })
 }
 
+fn field_name(field: &FieldFile, index: usize) -> String {
+    field.name.clone().unwrap_or_else(|| format!("field {index}"))
+}
+
 /// Index of the placed object that a field grows on; one of its own where it names none.
 fn host(
     context: &mut Context,
-    field: &crate::schema::FieldFile,
+    field: &FieldFile,
     index: usize,
     placed: &mut Vec<Placed>,
 ) -> Result<usize, SceneError> {
@@ -150,7 +163,7 @@ fn host(
 type Surfaces = Vec<(usize, sward::Surface)>;
 
 fn finish(
-    context: &Context,
+    context: &mut Context,
     placed: Vec<Placed>,
     hosts: &[usize],
     soil: [f32; 3],
@@ -163,6 +176,10 @@ fn finish(
         let first = objects.len();
         for mut object in thing.into_objects(carries, soil) {
             let surface = surface(context, &name, std::mem::take(&mut object.mesh))?;
+            let dropped = surface.dropped_triangles();
+            if dropped > 0 {
+                context.note(format!("object '{name}': {dropped} degenerate triangles left out"));
+            }
             object.mesh = surface.mesh().clone();
             if carries && whole.is_none() {
                 grown.push((index, first, surface));
@@ -192,11 +209,7 @@ fn finish(
     Ok((objects, surfaces))
 }
 
-fn surface(
-    context: &Context,
-    name: &str,
-    mesh: sward::Mesh,
-) -> Result<sward::Surface, SceneError> {
+fn surface(context: &Context, name: &str, mesh: sward::Mesh) -> Result<sward::Surface, SceneError> {
     sward::Surface::new(mesh).map_err(|error| {
         let cause = one_line(&error.to_string());
         SceneError::Asset { file: context.path.into(), cause: format!("object '{name}': {cause}") }

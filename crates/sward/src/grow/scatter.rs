@@ -57,8 +57,14 @@ pub(crate) fn roots(surface: &Surface, desc: &FieldDesc) -> Result<Vec<Root>, Er
 
 /// Number of blades before thinning.
 fn blade_count(area_m2: f64, desc: &FieldDesc) -> Result<u64, Error> {
-    let wanted = (f64::from(desc.density) * area_m2).round();
     let fit = desc.max_blades.min(u64::from(u32::MAX));
+    if let Some(count) = desc.count {
+        if (1..=fit).contains(&count) {
+            return Ok(count);
+        }
+        return Err(Error::setting("count", format!("{count} is out of range; 1 to {fit} fit")));
+    }
+    let wanted = (f64::from(desc.density) * area_m2).round();
     if wanted > fit as f64 {
         return Err(Error::setting(
             "density",

@@ -215,3 +215,17 @@ impl Cell for Vec3 {
         (Vec2::new(self.x, self.z) / size).floor().as_ivec2()
     }
 }
+
+#[test]
+fn a_count_is_met_exactly_with_and_without_tufts() {
+    for tufts in [None, Some(Tufts { share: 0.4, radius_m: 0.5, spread_m: 0.2 })] {
+        let desc = FieldDesc { count: Some(12_345), density: 1.0, tufts, ..Default::default() };
+        let field = Field::grow(&hills(), &desc).unwrap();
+        assert_eq!(field.blades().len(), 12_345);
+    }
+    for (count, max_blades) in [(0, u64::MAX), (101, 100), (1 << 33, u64::MAX)] {
+        let desc = FieldDesc { count: Some(count), max_blades, ..Default::default() };
+        let error = Field::grow(&hills(), &desc).unwrap_err().to_string();
+        assert!(error.starts_with("count: "), "{error}");
+    }
+}

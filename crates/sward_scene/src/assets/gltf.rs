@@ -3,9 +3,9 @@
 use super::gltf_data::{Data, resolve, split};
 use super::{Part, TextureImage, mesh};
 use crate::SceneError;
+use glam::{Affine3A, Mat4, Vec2, Vec3};
 use gltf::Semantic;
 use gltf::mesh::Mode;
-use glam::{Affine3A, Mat4, Vec2, Vec3};
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
 use sward::Mesh;
@@ -29,13 +29,8 @@ pub(crate) fn parse(file: &Path, bytes: &[u8]) -> Result<Vec<Part>, SceneError> 
         .map(|buffer| read_buffer(file, &buffer, binary))
         .collect::<Result<Vec<_>, _>>()?;
     let data = Data { file, buffers };
-    let mut walk = Walk {
-        data: &data,
-        parts: BTreeMap::new(),
-        seen: HashSet::new(),
-        skipped: 0,
-        vertices: 0,
-    };
+    let mut walk =
+        Walk { data: &data, parts: BTreeMap::new(), seen: HashSet::new(), skipped: 0, vertices: 0 };
     for node in roots(&document) {
         walk.node(&node, Mat4::IDENTITY, 0).map_err(broken)?;
     }
@@ -58,12 +53,13 @@ fn read_buffer(
     let what = format!("buffer {}", buffer.index());
     let bytes = match buffer.source() {
         gltf::buffer::Source::Uri(uri) => resolve(file, uri, &what)?,
-        gltf::buffer::Source::Bin => binary
-            .map(<[u8]>::to_vec)
-            .ok_or_else(|| SceneError::asset(file, format!("{what}: has no data; export it again")))?,
+        gltf::buffer::Source::Bin => binary.map(<[u8]>::to_vec).ok_or_else(|| {
+            SceneError::asset(file, format!("{what}: has no data; export it again"))
+        })?,
     };
     if bytes.len() < buffer.length() {
-        let cause = format!("{what}: {} of {} bytes: it is truncated", bytes.len(), buffer.length());
+        let cause =
+            format!("{what}: {} of {} bytes: it is truncated", bytes.len(), buffer.length());
         return Err(SceneError::asset(file, cause));
     }
     Ok(bytes)
@@ -74,8 +70,10 @@ fn roots(document: &gltf::Document) -> Vec<gltf::Node<'_>> {
     if let Some(scene) = document.default_scene().or_else(|| document.scenes().next()) {
         return scene.nodes().collect();
     }
-    let children: HashSet<usize> =
-        document.nodes().flat_map(|node| node.children().map(|c| c.index()).collect::<Vec<_>>()).collect();
+    let children: HashSet<usize> = document
+        .nodes()
+        .flat_map(|node| node.children().map(|c| c.index()).collect::<Vec<_>>())
+        .collect();
     document.nodes().filter(|node| !children.contains(&node.index())).collect()
 }
 
@@ -101,7 +99,8 @@ impl Walk<'_> {
         if let Some(gltf_mesh) = node.mesh() {
             for primitive in gltf_mesh.primitives() {
                 let place = format!("mesh {} primitive {}", gltf_mesh.index(), primitive.index());
-                let Some(mut mesh) = self.primitive(&primitive).map_err(|e| format!("{place}: {e}"))?
+                let Some(mut mesh) =
+                    self.primitive(&primitive).map_err(|e| format!("{place}: {e}"))?
                 else {
                     self.skipped += 1;
                     continue;
@@ -121,10 +120,8 @@ impl Walk<'_> {
 
     /// `None` for points and lines.
     fn primitive(&self, primitive: &gltf::Primitive) -> Result<Option<Mesh>, String> {
-        if matches!(
-            primitive.mode(),
-            Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip
-        ) {
+        if matches!(primitive.mode(), Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip)
+        {
             return Ok(None);
         }
         let positions = primitive
@@ -132,8 +129,7 @@ impl Walk<'_> {
             .ok_or("it has no POSITION attribute; export it with its geometry")?;
         let rows = self.data.rows::<3>(&positions, 0.0)?;
         let vector = |row: &[f64; 3]| Vec3::from(row.map(|c| c as f32));
-        let mut mesh =
-            Mesh { positions: rows.iter().map(vector).collect(), ..Mesh::default() };
+        let mut mesh = Mesh { positions: rows.iter().map(vector).collect(), ..Mesh::default() };
         if let Some(normals) = primitive.get(&Semantic::Normals) {
             mesh.normals = self.data.rows::<3>(&normals, 0.0)?.iter().map(vector).collect();
         }
@@ -211,7 +207,7 @@ fn with_material(
     let texture = match surface.base_color_texture() {
         Some(info) if !mesh.uvs.is_empty() => {
             Some(read_image(data, document, info.texture().source().index())?)
-        },
+        }
         _ => None,
     };
     Ok(Part {

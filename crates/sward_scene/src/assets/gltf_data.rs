@@ -150,7 +150,9 @@ impl Data<'_> {
     ) -> Result<Vec<[f64; N]>, String> {
         let (count, index) = (accessor.count(), accessor.index());
         if count > MAX_COUNT {
-            return Err(format!("accessor {index} has {count} elements; at most {MAX_COUNT} are read"));
+            return Err(format!(
+                "accessor {index} has {count} elements; at most {MAX_COUNT} are read"
+            ));
         }
         let components = match accessor.dimensions() {
             Dimensions::Scalar => 1,
@@ -159,8 +161,12 @@ impl Data<'_> {
             Dimensions::Vec4 => 4,
             _ => return Err(format!("accessor {index} holds matrices where vectors are needed")),
         };
-        let layout = |bytes, stride, kind| {
-            Elements { bytes, stride, kind, normalized: accessor.normalized(), components }
+        let layout = |bytes, stride, kind| Elements {
+            bytes,
+            stride,
+            kind,
+            normalized: accessor.normalized(),
+            components,
         };
         let mut rows = vec![[fill; N]; count];
         if let Some(view) = accessor.view() {

@@ -28,7 +28,9 @@ pub(crate) fn check_numbers(mesh: &Mesh) -> Result<(), String> {
             return Err(format!("vertex {i}: position {p} is not a finite number"));
         }
         if p.abs().max_element() > MAX_M {
-            return Err(format!("vertex {i}: position {p} is farther than {MAX_M} m; scale it down"));
+            return Err(format!(
+                "vertex {i}: position {p} is farther than {MAX_M} m; scale it down"
+            ));
         }
     }
     let count = mesh.positions.len();

@@ -2,6 +2,8 @@
 
 pub(crate) mod gltf;
 mod gltf_data;
+#[cfg(test)]
+mod gltf_tests;
 pub(crate) mod heights;
 pub(crate) mod image;
 pub(crate) mod mesh;
@@ -51,7 +53,8 @@ pub(crate) fn load_mesh(file: &Path) -> Result<Vec<Part>, SceneError> {
         "obj" => vec![obj::parse(file, &read(file)?)?.into()],
         "gltf" | "glb" => gltf::parse(file, &read(file)?)?,
         _ => {
-            let cause = format!("'.{extension}' is no mesh format read here: use .obj, .gltf or .glb");
+            let cause =
+                format!("'.{extension}' is no mesh format read here: use .obj, .gltf or .glb");
             return Err(SceneError::asset(file, cause));
         }
     };

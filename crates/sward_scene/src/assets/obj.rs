@@ -34,9 +34,9 @@ pub(crate) fn parse(file: &Path, bytes: &[u8]) -> Result<Mesh, SceneError> {
             continue;
         }
         joined.push_str(line);
-        reader.line(&joined).map_err(|cause| {
-            SceneError::asset(file, format!("line {}: {cause}", number + 1))
-        })?;
+        reader
+            .line(&joined)
+            .map_err(|cause| SceneError::asset(file, format!("line {}: {cause}", number + 1)))?;
         joined.clear();
     }
     Ok(reader.finish())

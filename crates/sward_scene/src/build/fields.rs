@@ -18,11 +18,7 @@ pub(super) fn descriptions(
     fields.map(|(index, field)| description(context, field, &Key::list("fields", index))).collect()
 }
 
-fn description(
-    context: &Context,
-    field: &FieldFile,
-    key: &Key,
-) -> Result<FieldDesc, SceneError> {
+fn description(context: &Context, field: &FieldFile, key: &Key) -> Result<FieldDesc, SceneError> {
     let mut desc = checked(field, key).map_err(|problem| context.error(problem))?;
     desc.density_map = match &field.density_map {
         None => None,
@@ -39,13 +35,16 @@ fn checked(field: &FieldFile, key: &Key) -> Result<FieldDesc, Problem> {
     if field.density.is_some() && field.count.is_some() {
         return Err(key.at("count").problem("give `density` or `count`, not both"));
     }
+    if field.inside.is_some() && field.density_map.is_some() {
+        return Err(key.at("inside").problem("give `density_map` or `inside`, not both"));
+    }
     let default = FieldDesc::default();
     let density = field.density.unwrap_or(default.density);
     let count = field.count.map(|count| key.at("count").integer(count, 1, u64::from(u32::MAX)));
     let kinds = field.species.len() as u64;
-    key.at("species").integer(kinds, 1, 256).map_err(|_| {
-        key.at("species").problem(format!("{kinds} kinds: there must be 1 to 256"))
-    })?;
+    key.at("species")
+        .integer(kinds, 1, 256)
+        .map_err(|_| key.at("species").problem(format!("{kinds} kinds: there must be 1 to 256")))?;
     let species = field.species.iter().enumerate();
     let species = species.map(|(i, kind)| self::species(kind, &key.at("species").index(i)));
     let limits = key.at("height_limits_m").span(field.height_limits_m, not_nan)?;

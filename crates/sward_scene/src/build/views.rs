@@ -109,7 +109,9 @@ fn sphere(file: &SphereFile, index: usize, placed: &[Placed]) -> Result<MovingSp
         let before = path.last().map_or(f32::NEG_INFINITY, |key: &SphereKey| key.time_s);
         key.within(time_s, 0.0, 100_000.0)?;
         if time_s <= before {
-            return Err(key.problem(format!("time {time_s} must be after the one before, {before}")));
+            return Err(
+                key.problem(format!("time {time_s} must be after the one before, {before}"))
+            );
         }
         path.push(SphereKey { time_s, center: key.vector([x, y, z])?, radius });
     }

@@ -23,7 +23,8 @@ impl Ground {
         let mut ground = Self { mesh: mesh.clone(), min, max, side, cells };
         for (i, &triangle) in mesh.triangles.iter().enumerate() {
             let [a, b, c] = corners(mesh, triangle);
-            let (low, high) = (ground.cell(a.min(b).min(c).xz()), ground.cell(a.max(b).max(c).xz()));
+            let (low, high) =
+                (ground.cell(a.min(b).min(c).xz()), ground.cell(a.max(b).max(c).xz()));
             for z in low.1..=high.1 {
                 for x in low.0..=high.0 {
                     if let Some(cell) = ground.cells.get_mut(z * side + x) {
@@ -70,7 +71,9 @@ mod tests {
 
     #[test]
     fn a_slope_has_its_height_everywhere_and_none_beside_it() {
-        let mesh = crate::objects::generate::grid(Vec2::new(8.0, 6.0), 40, 30, |u, v| u * 8.0 + v);
+        let heights: Vec<f32> =
+            (0..40 * 30).map(|i| (i % 40) as f32 / 39.0 * 8.0 + (i / 40) as f32 / 29.0).collect();
+        let mesh = Mesh::heightmap(40, 30, &heights, Vec2::new(8.0, 6.0)).expect("a slope");
         let ground = Ground::new(&mesh);
         for (x, z) in [(0.0, 0.0), (3.99, -2.9), (-4.0, 3.0), (1.234, 0.77)] {
             let height = ground.height(Vec2::new(x, z)).expect("inside");

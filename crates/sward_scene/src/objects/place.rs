@@ -131,11 +131,13 @@ impl Placed {
         let parts = self.parts.into_iter().enumerate();
         let object = |(i, part): (usize, Part)| Object {
             name: if alone { self.name.clone() } else { format!("{} part {i}", self.name) },
-            base_color: part.base_color.unwrap_or(match (part.mesh.colors.is_empty(), carries_grass) {
-                (false, _) => [1.0; 3],
-                (true, true) => soil,
-                (true, false) => GREY,
-            }),
+            base_color: part.base_color.unwrap_or(
+                match (part.mesh.colors.is_empty(), carries_grass) {
+                    (false, _) => [1.0; 3],
+                    (true, true) => soil,
+                    (true, false) => GREY,
+                },
+            ),
             mesh: part.mesh,
             roughness: part.roughness.unwrap_or(0.9),
             visible: self.visible,
@@ -229,9 +231,7 @@ fn strew(
                 let (sin, cos) = random.between(0.0, std::f32::consts::TAU).sin_cos();
                 center + Vec2::new(sin, cos) * radius * random.between(0.0, 1.0).sqrt()
             }
-            None => {
-                Vec2::new(random.between(low.x, high.x), random.between(low.y, high.y))
-            }
+            None => Vec2::new(random.between(low.x, high.x), random.between(low.y, high.y)),
         };
         if at.cmplt(low).any() || at.cmpgt(high).any() {
             continue;

@@ -17,10 +17,7 @@ fn ball(rings: u32, place: impl Fn(Vec3) -> Vec3) -> Mesh {
             // At the poles sin is not quite 0 in f32: the ring would not close.
             let sin_v = if ring == 0 || ring == rings { 0.0 } else { sin_v };
             mesh.positions.push(place(Vec3::new(sin_v * sin_u, cos_v, sin_v * cos_u)));
-            mesh.uvs.push(Vec2::new(
-                segment as f32 / segments as f32,
-                ring as f32 / rings as f32,
-            ));
+            mesh.uvs.push(Vec2::new(segment as f32 / segments as f32, ring as f32 / rings as f32));
         }
     }
     let row = segments + 1;
@@ -54,12 +51,9 @@ fn smooth_normals(mesh: &Mesh, row: u32) -> Vec<Vec3> {
     }
     let rings = normals.len() / row as usize;
     for (i, ring) in normals.chunks_exact_mut(row as usize).enumerate() {
-        let sum = if i == 0 || i + 1 == rings {
-            Some(ring.iter().sum::<Vec3>())
-        } else {
-            None
-        };
-        let seam = ring.first().copied().unwrap_or(Vec3::Y) + ring.last().copied().unwrap_or(Vec3::Y);
+        let sum = if i == 0 || i + 1 == rings { Some(ring.iter().sum::<Vec3>()) } else { None };
+        let seam =
+            ring.first().copied().unwrap_or(Vec3::Y) + ring.last().copied().unwrap_or(Vec3::Y);
         if let Some(sum) = sum {
             ring.fill(sum);
         } else {
@@ -96,51 +90,6 @@ impl Lumps {
         };
         self.waves.iter().map(wave).sum()
     }
-}
-
-/// A closed grid: `place(u, v)` over 0..1 in both, `rows` by `columns` cells; the caller sees to it
-/// that the rims meet.
-fn sheet(columns: u32, rows: u32, place: impl Fn(f32, f32) -> Vec3) -> Mesh {
-    let mut mesh = Mesh::default();
-    for row in 0..=rows {
-        for column in 0..=columns {
-            let (u, v) = (column as f32 / columns as f32, row as f32 / rows as f32);
-            mesh.positions.push(place(u, v));
-            mesh.uvs.push(Vec2::new(u, v));
-        }
-    }
-    let across = columns + 1;
-    for row in 0..rows {
-        for column in 0..columns {
-            let a = row * across + column;
-            let (b, c, d) = (a + 1, a + across, a + across + 1);
-            mesh.triangles.extend([[a, c, b], [b, c, d]]);
-        }
-    }
-    mesh
-}
-
-pub(super) fn sphere(radius_m: f32, segments: u32) -> Mesh {
-    ball(segments.div_ceil(2).max(2), |direction| direction * radius_m)
-}
-
-pub(super) fn torus(radius_m: f32, tube_m: f32, segments: u32) -> Mesh {
-    sheet(segments, segments.div_ceil(2).max(3), |u, v| {
-        let (sin_u, cos_u) = (u.fract() * std::f32::consts::TAU).sin_cos();
-        let (sin_v, cos_v) = (v.fract() * std::f32::consts::TAU).sin_cos();
-        let out = radius_m + tube_m * cos_v;
-        Vec3::new(out * sin_u, -tube_m * sin_v, out * cos_u)
-    })
-}
-
-pub(super) fn mobius(radius_m: f32, width_m: f32, segments: u32) -> Mesh {
-    sheet(segments, 8, |u, v| {
-        let angle = u * std::f32::consts::TAU;
-        let ((sin_u, cos_u), (sin_h, cos_h)) = (angle.sin_cos(), (angle / 2.0).sin_cos());
-        let across = (v - 0.5) * width_m;
-        let out = radius_m + across * cos_h;
-        Vec3::new(out * sin_u, across * sin_h, out * cos_u)
-    })
 }
 
 /// A boulder: a ball cut by a few planes, then roughened. A third of it lies below the origin.

@@ -15,7 +15,7 @@ pub struct FieldFile {
     /// Blades a square metre before thinning, above 0; default 400. Not with `count`.
     #[serde(default)]
     pub density: Option<f32>,
-    /// Blades in all, 1 or more, exactly. Not with `density`.
+    /// Blades in all, 1 or more, before thinning by map, slope and height. Not with `density`.
     #[serde(default)]
     pub count: Option<u64>,
     /// Same seed, same field; default 1.
@@ -30,6 +30,9 @@ pub struct FieldFile {
     /// Map that thins the density; default none.
     #[serde(default)]
     pub density_map: Option<DensityMapFile>,
+    /// Only a disk of the surface, seen from above; default all of it. Not with `density_map`.
+    #[serde(default)]
+    pub inside: Option<InsideFile>,
     /// Steepest slope that bears grass, 0..=180 from level; default 180, no limit.
     #[serde(default = "any_slope")]
     pub max_slope_deg: f32,
@@ -88,6 +91,19 @@ impl Default for TuftsFile {
     fn default() -> Self {
         Self { share: 0.5, radius_m: 0.5, spread_m: 0.15 }
     }
+}
+
+/// A disk seen from above, in which a field grows: thicker grass near a camera costs little there.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct InsideFile {
+    /// Centre `(x, z)`. Needed.
+    pub center: [f32; 2],
+    /// Radius, above 0. Needed.
+    pub radius_m: f32,
+    /// Width of the rim over which the density fades, 0 to `radius_m`; default 0.
+    #[serde(default)]
+    pub soft_m: f32,
 }
 
 /// A map that thins the density.

@@ -172,7 +172,13 @@ pub struct WavesFile {
 
 impl Default for WavesFile {
     fn default() -> Self {
-        Self { direction: [1.0, 0.3], mean: 0.3, amplitude: 0.35, wavelength_m: 14.0, speed_mps: 6.0 }
+        Self {
+            direction: [1.0, 0.3],
+            mean: 0.3,
+            amplitude: 0.35,
+            wavelength_m: 14.0,
+            speed_mps: 6.0,
+        }
     }
 }
 

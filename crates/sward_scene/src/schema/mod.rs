@@ -10,7 +10,7 @@ mod source;
 mod value;
 
 pub use field::{
-    DensityMapFile, FieldFile, MetricFile, OrderFile, ShapeFile, SpeciesFile, TuftsFile,
+    DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile, SpeciesFile, TuftsFile,
 };
 pub use light::{
     CullingFile, GravityFile, GroundFile, GustsFile, PhysicsFile, SkyFile, SunFile, WavesFile,
@@ -66,7 +66,10 @@ impl Default for SceneFile {
             objects: Vec::new(),
             fields: Vec::new(),
             cameras: Vec::new(),
-            wind: vec![WindFile::Waves(WavesFile::default()), WindFile::Gusts(GustsFile::default())],
+            wind: vec![
+                WindFile::Waves(WavesFile::default()),
+                WindFile::Gusts(GustsFile::default()),
+            ],
             spheres: Vec::new(),
             sun: SunFile::default(),
             sky: SkyFile::default(),

@@ -93,7 +93,7 @@ pub struct TerrainFile {
     /// Cells along the side, 1..=2048; default 192.
     pub divisions: u32,
     /// Same seed, same hills; default 1.
-    pub seed: u32,
+    pub seed: u64,
 }
 
 impl Default for TerrainFile {
@@ -116,7 +116,7 @@ impl Default for TerrainFile {
 pub struct SphereMeshFile {
     /// Radius, above 0; default 1.
     pub radius_m: f32,
-    /// Segments round it, 3..=1024; default 64.
+    /// Segments round it, 4..=1024; default 64.
     pub segments: u32,
 }
 
@@ -134,7 +134,7 @@ pub struct TorusFile {
     pub radius_m: f32,
     /// Radius of the tube, above 0; default 0.7.
     pub tube_m: f32,
-    /// Segments round the ring, 3..=1024, half as many round the tube; default 96.
+    /// Segments round the ring, 4..=1024, half as many round the tube; default 96.
     pub segments: u32,
 }
 
@@ -152,7 +152,7 @@ pub struct MobiusFile {
     pub radius_m: f32,
     /// Width of the band, above 0; default 1.
     pub width_m: f32,
-    /// Segments round it, 3..=1024; default 128.
+    /// Segments round it, 4..=1024; default 128.
     pub segments: u32,
 }
 

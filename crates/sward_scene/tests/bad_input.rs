@@ -1,0 +1,314 @@
+//! Each kind of bad input is one line that names the file, the place and the cause; none panics.
+
+use proptest::prelude::*;
+use std::path::{Path, PathBuf};
+use sward_scene::{Scene, SceneError, load, parse};
+
+/// A folder of its own for each test, gone at the end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(test: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("sward_scene_{test}_{}", std::process::id()));
+        std::fs::create_dir_all(&path).expect("a temporary folder");
+        Self(path)
+    }
+    fn write(&self, name: &str, bytes: &[u8]) {
+        std::fs::write(self.0.join(name), bytes).expect("a file");
+    }
+    fn parse(&self, text: &str) -> Result<Scene, SceneError> {
+        parse(text, &self.0.join("scene.ron"))
+    }
+    fn error(&self, text: &str) -> String {
+        one_line(self.parse(text))
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+fn one_line(result: Result<Scene, SceneError>) -> String {
+    let text = result.expect_err("bad input").to_string();
+    assert!(!text.contains('\n') && text.contains(": "), "{text}");
+    text
+}
+
+fn error(text: &str) -> String {
+    one_line(parse(text, Path::new("scene.ron")))
+}
+
+/// A 16-bit or 8-bit grey PNG.
+fn png(width: u32, height: u32, sixteen: bool) -> Vec<u8> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    let value = |x: u32, y: u32| ((x * 7 + y * 13) % 251) as u16;
+    let image = if sixteen {
+        let pixel = |x, y| image::Luma([value(x, y) * 257]);
+        image::DynamicImage::ImageLuma16(image::ImageBuffer::from_fn(width, height, pixel))
+    } else {
+        let pixel = |x, y| image::Luma([value(x, y) as u8]);
+        image::DynamicImage::ImageLuma8(image::ImageBuffer::from_fn(width, height, pixel))
+    };
+    image.write_to(&mut bytes, image::ImageFormat::Png).expect("a PNG");
+    bytes.into_inner()
+}
+
+const HILLS: &str = r#"(fields: [(on: Heightmap(file: "h.png", size_m: (20, 10)))])"#;
+
+#[test]
+fn values_out_of_range_name_line_and_key() {
+    let field = |keys: &str| format!("(\n  fields: [(\n    on: Plane(),\n    {keys}\n  )],\n)");
+    let cases = [
+        ("density: -3", "scene.ron:4:14: fields[0].density: -3 is out of range"),
+        ("density: NaN", "scene.ron:4:14: fields[0].density: NaN is out of range"),
+        ("density: 5, count: 3", "fields[0].count: give `density` or `count`"),
+        ("species: []", "fields[0].species: 0 kinds"),
+        (
+            "species: [(height_m: (2, 1))]",
+            "scene.ron:4:26: fields[0].species[0].height_m: (2, 1): the first",
+        ),
+        (
+            "species: [(), (width_m: 0)]",
+            "fields[0].species[1].width_m: 0 is out of range: it must be above 0",
+        ),
+        ("species: [(shape: TriangleTip(1))]", "fields[0].species[0].shape"),
+        (
+            "species: [(root_color: ((2, 0, 0), \"#00ff00\"))]",
+            "species[0].root_color: 2 is out of range",
+        ),
+        ("tufts: (share: 1.5)", "fields[0].tufts.share: 1.5 is out of range: it must be 0 to 1"),
+        ("patch_size: 100", "fields[0].patch_size: 100 is no multiple of 64"),
+        ("max_slope_deg: 200", "fields[0].max_slope_deg: 200"),
+        ("inside: (center: (900, 0), radius_m: 1)", "fields[0].inside: nothing of the object"),
+    ];
+    for (keys, expected) in cases {
+        let text = error(&field(keys));
+        assert!(text.contains(expected), "{keys}: {text}");
+    }
+}
+
+#[test]
+fn scene_values_out_of_range_name_their_key() {
+    let cases = [
+        ("fps: 0", "scene.ron:1:32: fps: 0 is out of range"),
+        ("warm_up_s: -1", "warm_up_s: -1"),
+        ("wind: [Waves(direction: (0, 0))]", "wind[0].direction"),
+        ("wind: [Gusts(), Waves(wavelength_m: 0)]", "wind[1].wavelength_m: 0"),
+        ("sun: (elevation_deg: 91)", "sun.elevation_deg: 91"),
+        ("sky: (haze_m: 0)", "sky.haze_m: 0"),
+        ("gravity: (direction: (0, 0, 0))", "gravity.direction"),
+        ("culling: (max_distance_m: -1)", "culling.max_distance_m: -1"),
+        (
+            "cameras: [(eye: (0, 1, 0), target: (0, 1, 0))]",
+            "cameras[0].target: is where the eye is",
+        ),
+        ("cameras: [(eye: (0, 1, 0), target: (0, 9, 0))]", "cameras[0].up: is along"),
+        ("cameras: [(eye: (0, 1, 0), target: (1, 1, 0), near_m: 9, far_m: 2)]", "cameras[0].far_m"),
+        ("cameras: [(eye: (0, NaN, 0), target: (1, 1, 0))]", "cameras[0].eye: NaN"),
+        ("spheres: [(radius_m: -1)]", "spheres[0].radius_m: -1"),
+        (
+            "spheres: [(path: [(1, 0, 0, 0), (1, 0, 0, 0)])]",
+            "spheres[0].path[1]: time 1 must be after",
+        ),
+        ("spheres: [(above: \"moon\")]", "spheres[0].above: no object 'moon'"),
+        ("objects: [(source: Rock(), scale: 0)]", "objects[0].scale: 0 flattens"),
+        ("objects: [(source: Rock(), above: \"x\")]", "objects[0].above: no object 'x'"),
+        ("objects: [(source: Rock(), scatter: (count: 3))]", "objects[0].scatter: needs `above`"),
+        ("objects: [(source: Torus(tube_m: 9))]", "objects[0].source"),
+        (
+            "objects: [(name: \"a\", source: Rock()), (name: \"a\", source: Rock())]",
+            "objects[1].name",
+        ),
+        ("objects: [(source: Object(\"a\"))]", "objects[0].source: Object(\"a\") is for"),
+    ];
+    for (keys, expected) in cases {
+        let text = error(&format!("(fields: [(on: Plane())], {keys})"));
+        assert!(text.contains(expected), "{keys}: {text}");
+    }
+}
+
+#[test]
+fn syntax_errors_name_line_and_column() {
+    let cases = [
+        (
+            "(\n  fields: [(on: Plane(),\n    densty: 3)],\n)",
+            "scene.ron:3:",
+            "unknown key 'densty'",
+        ),
+        ("(\n  fields: [(on: Plain())],\n)", "scene.ron:2:", "unknown kind 'Plain'"),
+        ("(\n  fields: [(density: 3)],\n)", "scene.ron:2:", "the key 'on' is missing"),
+        ("(\n  fields: 7,\n)", "scene.ron:2:", ""),
+        ("(\n  fields: [(on: Plane(), density: \"much\")],\n)", "scene.ron:2:", ""),
+        ("(\n  fields: [(on: Plane(),", "scene.ron:2:", ""),
+        (
+            "(fields: [(on: Plane(), species: [(root_color: (\"green\", \"#123456\"))])])",
+            "scene.ron:1:",
+            "not a colour",
+        ),
+        ("", "scene.ron:1:", ""),
+    ];
+    for (text, place, cause) in cases {
+        let error = error(text);
+        assert!(error.starts_with(place) && error.contains(cause), "{text}: {error}");
+    }
+    assert!(error("()").contains("fields: the scene grows nothing"));
+}
+
+#[test]
+fn missing_files_are_named() {
+    let folder = Folder::new("missing");
+    let none = one_line(load(&folder.0.join("none.ron")));
+    assert!(none.contains("none.ron: no such file"), "{none}");
+    assert!(one_line(load(&folder.0)).contains("not a file"));
+    folder.write("text.ron", &[0xff, 0xfe, 0]);
+    assert!(one_line(load(&folder.0.join("text.ron"))).contains("not UTF-8"));
+    let cases = [
+        (r#"(fields: [(on: File("b.obj"))])"#, "b.obj: no such file"),
+        (r#"(fields: [(on: File("b.stl"))])"#, "b.stl: '.stl' is no mesh format"),
+        (HILLS, "h.png: no such file"),
+        (r#"(fields: [(on: Plane(), density_map: Texture("d.png"))])"#, "d.png: no such file"),
+        (r#"(fields: [(on: Object("hill"))])"#, "fields[0].on: no object 'hill' before this"),
+    ];
+    for (text, expected) in cases {
+        let error = folder.error(text);
+        assert!(error.contains(expected), "{text}: {error}");
+    }
+}
+
+#[test]
+fn broken_meshes_are_named() {
+    let folder = Folder::new("meshes");
+    let cases = [
+        ("", "the mesh is empty"),
+        ("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "no area"),
+        ("v 0 0 0\nv nan 0 0\n", "line 2: position"),
+        ("v 0 0 0\nv 1 0 0\nf 1 2 3\n", "line 3: vertex index 3 is out of range"),
+    ];
+    for (obj, expected) in cases {
+        folder.write("b.obj", obj.as_bytes());
+        let error = folder.error(r#"(fields: [(on: File("b.obj"))])"#);
+        assert!(error.contains("b.obj: ") && error.contains(expected), "{obj}: {error}");
+    }
+    folder.write("b.glb", b"glTF\x02\0\0\0\xff\0\0\0");
+    assert!(folder.error(r#"(fields: [(on: File("b.glb"))])"#).contains("b.glb: truncated GLB"));
+}
+
+#[test]
+fn broken_images_are_named() {
+    let folder = Folder::new("images");
+    let whole = png(9, 7, true);
+    folder.write("h.png", &whole[..whole.len() / 2]);
+    assert!(folder.error(HILLS).contains("h.png: broken or unsupported image"));
+    folder.write("h.png", b"not an image at all");
+    assert!(folder.error(HILLS).contains("h.png: is no PNG or JPEG"));
+    folder.write("h.png", &png(1, 1, true));
+    assert!(folder.error(HILLS).contains("1 x 1 pixels; a height image needs at least 2 x 2"));
+    folder.write("h.png", &png(9000, 2, true));
+    assert!(folder.error(HILLS).contains("9000 x 2 pixels: sides must be 1 to 8192"));
+    // A header that claims 60,000 x 60,000 pixels: refused before that is allocated.
+    let mut huge = whole;
+    huge[16..24].copy_from_slice(&[0, 0, 0xea, 0x60, 0, 0, 0xea, 0x60]);
+    folder.write("h.png", &huge);
+    assert!(folder.error(HILLS).contains("h.png: "));
+    let color = image::DynamicImage::new_rgb8(4, 4);
+    color.save_with_format(folder.0.join("h.png"), image::ImageFormat::Png).expect("saved");
+    assert!(folder.error(HILLS).contains("colour image"));
+}
+
+#[test]
+fn height_images_of_8_and_16_bits_are_read() {
+    let folder = Folder::new("heights");
+    folder.write("h.png", &png(9, 7, true));
+    let scene = folder.parse(HILLS).expect("16 bits");
+    assert!(scene.notes.is_empty(), "{:?}", scene.notes);
+    let mesh = &scene.objects[0].mesh;
+    assert!(mesh.positions.iter().all(|p| p.x.abs() <= 10.0 && p.z.abs() <= 5.0 && p.y >= 0.0));
+    assert!(mesh.positions.iter().any(|p| p.y > 2.0));
+    folder.write("h.png", &png(9, 7, false));
+    let scene = folder.parse(HILLS).expect("8 bits");
+    assert!(scene.notes.iter().any(|note| note.contains("8 bits")), "{:?}", scene.notes);
+}
+
+#[test]
+fn an_unknown_camera_lists_those_that_there_are() {
+    let scene = parse("(fields: [(on: Plane())])", Path::new("scene.ron")).expect("a scene");
+    assert!(scene.camera(None).is_ok() && scene.camera(Some("default")).is_ok());
+    let error = scene.camera(Some("sky")).expect_err("no such camera").to_string();
+    assert_eq!(error, "scene.ron: no camera 'sky'; there are: default");
+}
+
+#[test]
+fn copies_stand_on_what_is_below_them() {
+    let text = r#"(
+        objects: [
+            (name: "hill", source: Terrain(size_m: 40)),
+            (source: Sphere(radius_m: 0.1, segments: 8), above: "hill", scatter: (count: 20)),
+        ],
+        fields: [(on: Object("hill"), density: 1)],
+    )"#;
+    let scene = parse(text, Path::new("scene.ron")).expect("a scene");
+    let (hill, balls) = (&scene.objects[0].mesh, &scene.objects[1].mesh);
+    for ball in balls.positions.chunks(balls.positions.len() / 20) {
+        let center = ball.iter().sum::<glam::Vec3>() / ball.len() as f32;
+        let near = hill.positions.iter().min_by(|a, b| {
+            let away = |p: &glam::Vec3| (p.x - center.x).hypot(p.z - center.z);
+            away(a).total_cmp(&away(b))
+        });
+        let ground = near.expect("ground").y;
+        assert!((center.y - ground).abs() < 0.2, "{center} over {ground}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn damaged_scenes_never_panic(
+        which in 0_usize..3,
+        cut in 0.0_f64..2.0,
+        edits in prop::collection::vec((0.0_f64..1.0, "[ -~]{0,2}"), 0..4),
+    ) {
+        let scenes = [
+            include_str!("../../../scenes/minimal.ron"),
+            "(fields: [(on: Plane(), species: [(height_m: (1, 2), root_color: (\"#aabbcc\", (1, 0, 1)))],
+              tufts: (share: 0.5), height_limits_m: (-inf, 3.5))], cameras: [(eye: (0, 1, 2), target: (0, 0, 0))])",
+            "(fields: [(on: Sphere(segments: 8), count: 30)], wind: [Waves(), Gusts(seed: 3)],
+              spheres: [(path: [(0, 1, 2, 3), (2, 3, 4, 5)])], sun: (azimuth_deg: 1e3) /* end */)",
+        ];
+        let mut text = scenes[which].to_owned();
+        for (at, with) in edits {
+            let at = ((at * text.len() as f64) as usize).min(text.len() - 1);
+            text.replace_range(at..=at, &with);
+        }
+        if cut < 1.0 {
+            text.truncate((cut * text.len() as f64) as usize);
+        }
+        let _ = parse(&text, Path::new("/nowhere/scene.ron"));
+    }
+
+    #[test]
+    fn damaged_files_never_panic(
+        flips in prop::collection::vec((0.0_f64..1.0, any::<u8>()), 0..5),
+        cut in 0.0_f64..2.0,
+    ) {
+        let folder = Folder::new("damaged");
+        let obj: &[u8] = b"v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/1/1 -1/-1/-1\n";
+        for (name, whole, scene) in [
+            ("h.png", png(5, 4, true), HILLS),
+            ("b.obj", obj.to_vec(), r#"(fields: [(on: File("b.obj"))])"#),
+        ] {
+            let mut bytes = whole;
+            for (at, value) in &flips {
+                let at = ((at * bytes.len() as f64) as usize).min(bytes.len() - 1);
+                bytes[at] = *value;
+            }
+            if cut < 1.0 {
+                bytes.truncate((cut * bytes.len() as f64) as usize);
+            }
+            folder.write(name, &bytes);
+            let _ = folder.parse(scene);
+        }
+    }
+}
