@@ -172,8 +172,7 @@ pub(super) fn unit_sphere() -> Mesh {
     for ring in 0..=RINGS {
         let (sin_t, cos_t) = (std::f32::consts::PI * ring as f32 / RINGS as f32).sin_cos();
         for sector in 0..=SECTORS {
-            let (sin_p, cos_p) =
-                (std::f32::consts::TAU * sector as f32 / SECTORS as f32).sin_cos();
+            let (sin_p, cos_p) = (std::f32::consts::TAU * sector as f32 / SECTORS as f32).sin_cos();
             mesh.positions.push(Vec3::new(sin_t * cos_p, cos_t, -sin_t * sin_p));
         }
     }
