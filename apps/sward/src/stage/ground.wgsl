@@ -36,6 +36,8 @@ fn octave(p: vec3<f32>, size_m: f32, pixel_m: f32) -> f32 {
 struct Ground {
     albedo: vec3<f32>,
     normal: vec3<f32>,
+    // Share of it that is sunlit canopy, which light passes through
+    canopy: f32,
 }
 
 fn ground_material(p: vec3<f32>, normal: vec3<f32>, soil: vec3<f32>, grass: vec4<f32>, pixel_m: f32) -> Ground {
@@ -44,8 +46,11 @@ fn ground_material(p: vec3<f32>, normal: vec3<f32>, soil: vec3<f32>, grass: vec4
     let fine = octave(p + 31.9, 0.12, pixel_m);
     let grain = octave(p + 5.1, 0.027, pixel_m);
     let cover = clamp(grass.w + (broad - 0.5) * 0.5 + (middle - 0.5) * 0.6 + (fine - 0.5) * 0.5, 0.0, 1.0);
-    let share = mix(cover, grass.w, 0.35);
-    let shade = 0.55 + 0.3 * middle + 0.35 * fine + 0.25 * grain;
+    // Far off one looks on the canopy's tips, which thinned blades no longer draw; close up,
+    // between the blades, on their shaded feet.
+    let far = smoothstep(0.006, 0.05, pixel_m);
+    let share = mix(mix(cover, grass.w, 0.35), 1.0, far * grass.w);
+    let shade = mix(0.45 + 0.25 * middle + 0.3 * fine + 0.2 * grain, 1.1 + 0.5 * (broad - 0.5), far);
     let earth = soil * (0.5 + 0.6 * middle + 0.4 * grain);
     let albedo = mix(earth, grass.rgb * shade, share);
     // Relief from differences of the fine noise.
@@ -56,5 +61,5 @@ fn ground_material(p: vec3<f32>, normal: vec3<f32>, soil: vec3<f32>, grass: vec4
         octave(p + vec3(0.0, 0.0, e) + 31.9, 0.12, pixel_m) - fine,
     );
     let along = slope - normal * dot(slope, normal);
-    return Ground(albedo, normalize(normal - along * 1.3));
+    return Ground(albedo, normalize(normal - along * 1.3), far * share);
 }

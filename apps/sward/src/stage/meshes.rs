@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
-use sward::{Mesh, Sphere};
+use sward::{ColorRange, Mesh, Sphere};
 use sward_scene::{MovingSphere, Scene};
 use wgpu::util::DeviceExt;
 
@@ -149,16 +149,16 @@ pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
     }
 }
 
-/// Mean over the species of the fields on an object, by their shares. The root's colour counts as
-/// much as the tip's: seen from above roots are half hidden, but half of a blade is root.
+/// Mean over the species of the fields on an object, by their shares. Tips count for two thirds:
+/// they hide the roots.
 fn mean_grass_color(scene: &Scene, object: usize) -> [f32; 3] {
     let mut sum = Vec3::ZERO;
     let mut shares = 0.0_f32;
     for species in scene.fields.iter().filter(|f| f.object == object).flat_map(|f| &f.desc.species)
     {
-        let ends = [&species.root_color, &species.tip_color];
-        let colors = ends.iter().flat_map(|range| [range.from, range.to]).map(Vec3::from);
-        sum += colors.sum::<Vec3>() * 0.25 * species.share;
+        let mean = |range: &ColorRange| (Vec3::from(range.from) + Vec3::from(range.to)) * 0.5;
+        let color = mean(&species.root_color).lerp(mean(&species.tip_color), 2.0 / 3.0);
+        sum += color * species.share;
         shares += species.share;
     }
     (sum / shares.max(f32::MIN_POSITIVE)).into()

@@ -60,15 +60,19 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
     var n = in.normal / max(length(in.normal), 1e-12);
     n = select(-n, n, front);
     var albedo = in.material.rgb * in.color * texel;
+    var canopy = 0.0;
     if in.grass.w >= 0.0 {
         let ground = ground_material(in.world, n, albedo, in.grass, pixel_m);
         albedo = ground.albedo;
         n = ground.normal;
+        canopy = ground.canopy;
     }
     let l = frame.to_sun.xyz;
     let lit = max(dot(n, l), 0.0);
     let ambient = mix(frame.ground.rgb, frame.sky.rgb, n.y * 0.5 + 0.5);
-    var color = albedo * (frame.sun.rgb * lit / PI + ambient);
+    // Blades stand across the ground: the canopy is lit from the side too.
+    let received = mix(lit, 0.35 + 0.65 * lit, canopy * smoothstep(-0.3, 0.2, dot(n, l)));
+    var color = albedo * (frame.sun.rgb * received / PI + ambient);
     if in.grass.w < 0.0 {
         color += frame.sun.rgb * lit * gloss(n, v, l, in.material.w);
     }
