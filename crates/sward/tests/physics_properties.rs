@@ -163,7 +163,7 @@ fn frame_rates_agree_after_five_seconds() {
 
 #[test]
 fn crush_by_a_passing_ball_agrees_between_frame_rates() {
-    let (mut sums, mut worst, mut touched) = ([0.0; 3], 0.0_f64, 0);
+    let (mut sums, mut spreads) = ([0.0; 3], Vec::new());
     for seed in 0..200 {
         let mut draws = Draws::new(seed);
         let mut blade = draws.blade(0.3);
@@ -175,14 +175,20 @@ fn crush_by_a_passing_ball_agrees_between_frame_rates() {
         let ball = |time| Some(rolling(start, Vec3::X * 1.5, radius, time));
         let crushes = RATES_HZ.map(|hz| run(&blade, hz, 3, ball).crush);
         let spread = (crushes[0] - crushes[2]).abs().max((crushes[1] - crushes[2]).abs());
-        touched += u32::from(crushes[2] > 0.0);
-        worst = worst.max(spread);
+        if crushes.iter().any(|crush| *crush > 0.0) {
+            spreads.push(spread);
+        }
         for (sum, crush) in sums.iter_mut().zip(crushes) {
             *sum += crush;
         }
     }
-    println!("crush sums at 30, 60, 144 Hz: {sums:?}; worst single {worst:.3}; {touched} crushed");
-    assert!(touched > 50, "the ball must touch most blades: {touched}");
+    spreads.sort_by(f64::total_cmp);
+    let most = spreads[spreads.len() * 4 / 5];
+    println!(
+        "crush at 30, 60, 144 Hz: {sums:?}; single blades: median {median:.3}, 90 % {most:.3}"
+    );
+    assert!(spreads.len() > 50, "the ball must touch most blades: {}", spreads.len());
+    assert!(most < 0.05, "{spreads:?}");
     // The trail as a whole; a single blade that is only grazed depends on where the ball was seen.
     for sum in &sums[..2] {
         assert!((sum / sums[2] - 1.0).abs() < 0.05, "{sums:?}");
