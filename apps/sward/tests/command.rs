@@ -82,9 +82,22 @@ fn bench_writes_every_key() {
     let json: serde_json::Value =
         serde_json::from_slice(&std::fs::read(folder.path("a.json")).unwrap()).unwrap();
     for key in [
-        "adapter", "driver", "backend", "size", "samples", "scene", "blades_total", "patches",
-        "blades_drawn", "blades_culled", "spheres_tested", "vertices", "ms", "bytes_per_blade",
-        "gpu_bytes", "grow_s",
+        "adapter",
+        "driver",
+        "backend",
+        "size",
+        "samples",
+        "scene",
+        "blades_total",
+        "patches",
+        "blades_drawn",
+        "blades_culled",
+        "spheres_tested",
+        "vertices",
+        "ms",
+        "bytes_per_blade",
+        "gpu_bytes",
+        "grow_s",
     ] {
         assert!(!json[key].is_null(), "{key}");
     }

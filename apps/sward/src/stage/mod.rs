@@ -214,11 +214,7 @@ impl Stage {
     ///
     /// # Errors
     /// Where wind or spheres are more than fit, or not finite.
-    pub fn encode_simulate(
-        &mut self,
-        encoder: &mut wgpu::CommandEncoder,
-        dt_s: f64,
-    ) -> Result<()> {
+    pub fn encode_simulate(&mut self, encoder: &mut wgpu::CommandEncoder, dt_s: f64) -> Result<()> {
         self.time_s += dt_s;
         self.wind.advance(dt_s);
         let time_s = self.time_s as f32;
