@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3, dvec3};
 use sward::frame::collide::twin::contact_push;
 use sward::frame::physics::twin::{Blade, State, Surroundings, advance, rest_tip};
 use sward::frame::physics::{paper_twin, twin};
-use sward::shared::curve_twin::{arc_length, middle_point, project_tip, reach};
+use sward::shared::curve_twin::project_tip;
 use sward::{Gravity, Sphere, Wind};
 
 const RATES_HZ: [u32; 3] = [30, 60, 144];
@@ -37,32 +37,6 @@ fn run(blade: &Blade, hz: u32, seconds: u32, ball: impl Fn(f64) -> Option<Sphere
         state = advance(blade, state, dt_s, &around);
     }
     state
-}
-
-#[test]
-fn true_arc_length_is_the_height_within_two_percent() {
-    let mut worst = 0.0_f64;
-    for arch in (0..=50).map(|i| f64::from(i) / 50.0) {
-        for lean in (0..=180).map(|i| f64::from(i).to_radians() / 2.0) {
-            let (sin, cos) = lean.sin_cos();
-            let tip = dvec3(sin, cos, 0.0) * reach(cos, sin, arch);
-            let length = arc_length(middle_point(tip, DVec3::Y, arch), tip, 400);
-            worst = worst.max((length - 1.0).abs());
-        }
-    }
-    println!("worst error of the true length: {worst:.4}");
-    assert!(worst < 0.02, "{worst}");
-}
-
-#[test]
-fn js_length_rule_holds_exactly_without_arch() {
-    for lean in (0..=90).map(|i| f64::from(i).to_radians()) {
-        let (sin, cos) = lean.sin_cos();
-        let tip = dvec3(sin, cos, 0.0) * reach(cos, sin, 0.0);
-        let middle = middle_point(tip, DVec3::Y, 0.0);
-        let length = (2.0 * tip.length() + middle.length() + tip.distance(middle)) / 3.0;
-        assert!((length - 1.0).abs() < 1e-9, "{lean}: {length}");
-    }
 }
 
 #[test]
@@ -163,7 +137,7 @@ fn frame_rates_agree_after_five_seconds() {
 
 #[test]
 fn crush_by_a_passing_ball_agrees_between_frame_rates() {
-    let (mut sums, mut worst, mut touched) = ([0.0; 3], 0.0_f64, 0);
+    let (mut sums, mut spreads) = ([0.0; 3], Vec::new());
     for seed in 0..200 {
         let mut draws = Draws::new(seed);
         let mut blade = draws.blade(0.3);
@@ -175,14 +149,18 @@ fn crush_by_a_passing_ball_agrees_between_frame_rates() {
         let ball = |time| Some(rolling(start, Vec3::X * 1.5, radius, time));
         let crushes = RATES_HZ.map(|hz| run(&blade, hz, 3, ball).crush);
         let spread = (crushes[0] - crushes[2]).abs().max((crushes[1] - crushes[2]).abs());
-        touched += u32::from(crushes[2] > 0.0);
-        worst = worst.max(spread);
+        if crushes.iter().any(|crush| *crush > 0.0) {
+            spreads.push(spread);
+        }
         for (sum, crush) in sums.iter_mut().zip(crushes) {
             *sum += crush;
         }
     }
-    println!("crush sums at 30, 60, 144 Hz: {sums:?}; worst single {worst:.3}; {touched} crushed");
-    assert!(touched > 50, "the ball must touch most blades: {touched}");
+    spreads.sort_by(f64::total_cmp);
+    let most = spreads[spreads.len() * 4 / 5];
+    println!("crush at 30, 60, 144 Hz: {sums:?}; spread of a blade, 80 %: {most:.3}");
+    assert!(spreads.len() > 50, "the ball must touch most blades: {}", spreads.len());
+    assert!(most < 0.05, "{spreads:?}");
     // The trail as a whole; a single blade that is only grazed depends on where the ball was seen.
     for sum in &sums[..2] {
         assert!((sum / sums[2] - 1.0).abs() < 0.05, "{sums:?}");

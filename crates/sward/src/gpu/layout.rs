@@ -91,16 +91,11 @@ pub struct GpuSpecies {
     pub droop: [f32; 2],
     pub gust: f32,
     pub arch: f32,
-    pub ridge: f32,
-    pub tip: f32,
-    pub shape: u32,
     pub first_bucket: u32,
-    pub reserved: [u32; 2],
+    pub reserved: u32,
+    pub form: [f32; 4],
     pub area_scale: [f32; 4],
-    pub root_from: [f32; 4],
-    pub root_to: [f32; 4],
-    pub tip_from: [f32; 4],
-    pub tip_to: [f32; 4],
+    pub colors: [u32; 4],
 }
 
 /// `GpuView` of view.wgsl.

@@ -2,7 +2,7 @@
 
 use super::layout::{GpuPatch, GpuSpecies};
 use crate::grow::{Blade, Patch};
-use crate::species::{ColorRange, Range, Shape, Species};
+use crate::species::{Range, Shape, Species};
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
 
@@ -136,16 +136,14 @@ pub const SEGMENTS: [u32; 4] = [8, 4, 2, 1];
 /// A species' table entry.
 pub fn gpu_species(species: &Species) -> GpuSpecies {
     let range = |r: Range| [r.min, r.max - r.min];
-    let rgb = |c: [f32; 3]| [c[0], c[1], c[2], 0.0];
     let full = outline_area(species.shape, 256);
     let (shape, tip) = match species.shape {
-        Shape::Quad => (0, 0.5),
-        Shape::Triangle => (1, 0.5),
-        Shape::Quadratic => (2, 0.5),
-        Shape::TriangleTip { tip } => (3, tip),
+        Shape::Quad => (0.0, 0.5),
+        Shape::Triangle => (1.0, 0.5),
+        Shape::Quadratic => (2.0, 0.5),
+        Shape::TriangleTip { tip } => (3.0, tip),
     };
-    let ColorRange { from: root_from, to: root_to } = species.root_color;
-    let ColorRange { from: tip_from, to: tip_to } = species.tip_color;
+    let (root, top) = (species.root_color, species.tip_color);
     GpuSpecies {
         height: range(species.height_m),
         width: range(species.width_m),
@@ -153,17 +151,18 @@ pub fn gpu_species(species: &Species) -> GpuSpecies {
         droop: range(species.droop),
         gust: species.gust,
         arch: species.arch,
-        ridge: species.ridge,
-        tip,
-        shape,
         first_bucket: if has_flat_tip(species) { 4 } else { 0 },
-        reserved: [0; 2],
+        reserved: 0,
+        form: [species.ridge, tip, 0.0, shape],
         area_scale: SEGMENTS.map(|n| full / outline_area(species.shape, n)),
-        root_from: rgb(root_from),
-        root_to: rgb(root_to),
-        tip_from: rgb(tip_from),
-        tip_to: rgb(tip_to),
+        colors: [root.from, root.to, top.from, top.to].map(pack_color),
     }
+}
+
+/// 10 bits a channel, square root encoded: finer in the dark.
+fn pack_color(color: [f32; 3]) -> u32 {
+    let channel = |x: f32| (x.clamp(0.0, 1.0).sqrt() * 1023.0).round() as u32;
+    channel(color[0]) | channel(color[1]) << 10 | channel(color[2]) << 20
 }
 
 /// Whether the outline ends in an edge rather than a point.

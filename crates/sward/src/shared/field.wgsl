@@ -27,20 +27,16 @@ struct GpuSpecies {
     droop: vec2<f32>,
     gust: f32,
     arch: f32,
-    ridge: f32,
-    // Where the taper of a triangle-tip begins
-    tip: f32,
-    // 0 quad, 1 triangle, 2 quadratic, 3 triangle-tip
-    shape: u32,
     // First bucket of its topology: 0 pointed, 4 flat tip
     first_bucket: u32,
-    reserved: vec2<u32>,
+    reserved: u32,
+    // Ridge; where the taper of a triangle-tip begins; unused; shape: 0 quad, 1 triangle,
+    // 2 quadratic, 3 triangle-tip
+    form: vec4<f32>,
     // Per level: width factor that keeps the outline's area when it is drawn with few segments
     area_scale: vec4<f32>,
-    root_from: vec4<f32>,
-    root_to: vec4<f32>,
-    tip_from: vec4<f32>,
-    tip_to: vec4<f32>,
+    // Root from and to, tip from and to: 10 bits a channel, square root encoded
+    colors: vec4<u32>,
 }
 
 @group(1) @binding(0) var<uniform> field: GpuField;

@@ -1,26 +1,7 @@
-// Blades by vertex pulling (J section 5): one instance is 64 blades of one bucket.
+// Blades: near ones are lit at each pixel, far ones at their vertices, of which they have fewer than
+// pixels are shaded where blades lie over each other.
 
-// Which bucket: level, and pointed (0 to 3) or flat-tipped (4 to 7).
-override BUCKET: u32 = 0u;
-override SEGMENTS: u32 = 8u;
-// Vertices a ring: 2, or 3 with a ridge
-override RING: u32 = 2u;
-override FLAT_TIP: bool = false;
-// Vertices a blade
-override VERTICES: u32 = 17u;
-
-struct GpuDraw {
-    start: u32,
-    count: u32,
-    dropped: u32,
-    reserved: u32,
-}
-
-@group(1) @binding(4) var<storage, read> dynamics: array<vec2<u32>>;
-@group(2) @binding(1) var<storage, read> list: array<u32>;
-@group(2) @binding(2) var<storage, read> draws: array<GpuDraw, 8>;
-
-struct Vertex {
+struct NearVertex {
     @builtin(position) clip: vec4<f32>,
     @location(0) normal: vec3<f32>,
     @location(1) albedo: vec3<f32>,
@@ -29,144 +10,68 @@ struct Vertex {
     @location(4) @interpolate(flat) up: vec3<f32>,
 }
 
-struct Corner {
-    // Along the blade, 0 root to 1 tip
-    v: f32,
-    // Across it, 0 to 1
-    u: f32,
+struct FarVertex {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) color: vec3<f32>,
 }
 
-fn corner_of(vertex: u32) -> Corner {
-    let ring = vertex / RING;
-    let v = f32(ring) / f32(SEGMENTS);
-    if ring == SEGMENTS && !FLAT_TIP {
-        return Corner(1.0, 0.5);
-    }
-    return Corner(v, f32(vertex % RING) / f32(RING - 1u));
-}
+// Behind the near plane.
+const HIDDEN: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);
 
-// Share of the width left at v: t(1, v) - t(0, v) of equation 22.
-fn outline(shape: u32, tip: f32, v: f32) -> f32 {
-    switch shape {
-        case 0u: { return 1.0; }
-        case 1u: { return 1.0 - v; }
-        case 2u: { return 1.0 - v * v; }
-        default: { return 1.0 - max(v - tip, 0.0) / (1.0 - tip); }
-    }
-}
-
-// Equation 22 with the width correction of 24: place across the full width, 0 to 1.
-fn across(shape: u32, share: f32, u: f32, thin: f32) -> f32 {
-    let t = select(0.5 + (u - 0.5) * share, u * share, shape == 2u);
-    return mix(t, u, thin);
-}
-
-// Rings that the next level lacks move onto its edges as the blade turns into it.
-struct Ring {
-    // Curve parameter's odd part: how far to move along the second difference
-    bend: f32,
-    share: f32,
-}
-
-fn ring_of(shape: u32, tip: f32, v: f32, morph: f32) -> Ring {
-    let share = outline(shape, tip, v);
-    let ring = u32(round(v * f32(SEGMENTS)));
-    if (ring & 1u) == 0u {
-        return Ring(0.0, share);
-    }
-    let step = 1.0 / f32(SEGMENTS);
-    let chord = 0.5 * (outline(shape, tip, v - step) + outline(shape, tip, min(v + step, 1.0)));
-    return Ring(morph * step * step, mix(share, chord, morph));
-}
-
-fn area_scale(kind: u32, level: u32, morph: f32) -> f32 {
-    let own = species_table[kind].area_scale[level];
-    return mix(own, species_table[kind].area_scale[min(level + 1u, 3u)], morph);
-}
-
-fn blade_color(blade: Blade, v: f32) -> vec3<f32> {
-    let pick = hash01(blade.id, 21u);
-    let other = hash01(blade.id, 22u);
-    let kind = blade.species;
-    let root = mix(species_table[kind].root_from.rgb, species_table[kind].root_to.rgb, other);
-    let tip = mix(species_table[kind].tip_from.rgb, species_table[kind].tip_to.rgb, pick);
-    return mix(root, tip, v * (1.5 - 0.5 * v)) * (0.85 + 0.3 * other);
-}
-
-fn hidden_vertex() -> Vertex {
-    var out: Vertex;
-    out.clip = vec4<f32>(0.0, 0.0, -1.0, 1.0);
-    return out;
+fn lit(point: BladePoint) -> vec3<f32> {
+    let to_eye = safe_normalize(view.eye.xyz - point.position, point.up);
+    var surface: BladeSurface;
+    surface.albedo = point.albedo;
+    surface.normal = safe_normalize(point.normal, point.up);
+    surface.up = point.up;
+    surface.height_share = point.height_share;
+    return with_haze(shade_blade(surface, to_eye), distance_to(point.position));
 }
 
 @vertex
-fn vs_blade(
+fn vs_near(
     @builtin(vertex_index) vertex: u32,
     @builtin(instance_index) instance: u32,
-) -> Vertex {
-    let slot = instance * 64u + vertex / VERTICES;
-    if slot >= draws[BUCKET].count {
-        return hidden_vertex();
+) -> NearVertex {
+    let point = blade_point(vertex, instance);
+    var out: NearVertex;
+    out.clip = HIDDEN;
+    if point.hidden {
+        return out;
     }
-    let entry = list[draws[BUCKET].start + slot];
-    let index = entry & 0x3fffffu;
-    let morph = f32((entry >> 22u) & 31u) / 31.0;
-    let fade = f32(entry >> 27u) / 31.0;
-    let blade = unpack_blade(index);
-    let state = unpack_state(blade, dynamics[index]);
-    let kind = blade.species;
-    let level = BUCKET % 4u;
-    let corner = corner_of(vertex % VERTICES);
-    let ring = ring_of(species_table[kind].shape, species_table[kind].tip, corner.v, morph);
-
-    // Equation 21, in heights
-    let knee = middle_point(state.tip, blade.up, blade.arch);
-    let a = knee * corner.v;
-    let b = mix(knee, state.tip, corner.v);
-    let bend = state.tip - 2.0 * knee;
-    let center = blade.root + (mix(a, b, corner.v) + bend * ring.bend) * blade.height;
-    let along = safe_normalize(b - a, safe_normalize(knee, blade.up));
-    let flat_side = cross(blade.up, blade.facing);
-    let side = safe_normalize(flat_side - along * dot(flat_side, along), flat_side);
-    var normal = safe_normalize(cross(side, along), blade.facing);
-
-    let distance = distance_to(blade.root + blade.up * (0.5 * blade.height));
-    let width_px = blade.width * pixels_per_metre(distance);
-    var width = blade.width * fade * area_scale(kind, level, morph);
-    if has(CULL_DISTANCE) && !has(CULL_PAPER) {
-        width *= widening(keep_share(width_px));
-    }
-    let thin = select(0.0, 1.0 - clamp((width_px - 1.0) / 2.0, 0.0, 1.0), has(WIDTH_CORRECTION));
-    let t = across(species_table[kind].shape, ring.share, corner.u, thin);
-    var position = center + side * ((t - 0.5) * width);
-    if RING == 3u {
-        // Equation 23, flattening as it turns into the level without a ridge
-        let lift = species_table[kind].ridge * (1.0 - morph) * ring.share;
-        position += normal * (width * lift * (0.5 - abs(corner.u - 0.5)));
-    }
-    let to_eye = view.eye.xyz - position;
-    if dot(normal, to_eye) < 0.0 {
-        normal = -normal;
-    }
-    let round_off = (corner.u - 0.5) * 2.0 * species_table[kind].ridge;
-    var out: Vertex;
-    out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
-    out.normal = normal + side * (round_off * 0.7);
-    out.albedo = blade_color(blade, corner.v);
-    out.position = position;
-    out.height_share = corner.v;
-    out.up = blade.up;
+    out.clip = point.clip;
+    out.normal = point.normal;
+    out.albedo = point.albedo;
+    out.position = point.position;
+    out.height_share = point.height_share;
+    out.up = point.up;
     return out;
 }
 
 @fragment
-fn fs_blade(in: Vertex) -> @location(0) vec4<f32> {
-    let to_eye = safe_normalize(view.eye.xyz - in.position, in.up);
-    var surface: BladeSurface;
-    surface.albedo = in.albedo;
-    surface.normal = safe_normalize(in.normal, in.up);
-    surface.up = in.up;
-    surface.height_share = in.height_share;
-    let color = shade_blade(surface, to_eye);
-    return vec4<f32>(with_haze(color, distance_to(in.position)), 1.0);
+fn fs_near(in: NearVertex) -> @location(0) vec4<f32> {
+    var point: BladePoint;
+    point.position = in.position;
+    point.normal = in.normal;
+    point.albedo = in.albedo;
+    point.up = in.up;
+    point.height_share = in.height_share;
+    return vec4<f32>(lit(point), 1.0);
+}
+
+@vertex
+fn vs_far(
+    @builtin(vertex_index) vertex: u32,
+    @builtin(instance_index) instance: u32,
+) -> FarVertex {
+    let point = blade_point(vertex, instance);
+    if point.hidden {
+        return FarVertex(HIDDEN, vec3<f32>(0.0));
+    }
+    return FarVertex(point.clip, lit(point));
+}
+
+@fragment
+fn fs_far(in: FarVertex) -> @location(0) vec4<f32> {
+    return vec4<f32>(in.color, 1.0);
 }

@@ -34,13 +34,16 @@ fn pipeline(
         ("FLAT_TIP", f64::from(u8::from(topology.flat_tip))),
         ("VERTICES", f64::from(topology.vertices())),
     ];
+    // The first level is near, the others far
+    let (vertex, fragment) =
+        if bucket % 4 == 0 { ("vs_near", "fs_near") } else { ("vs_far", "fs_far") };
     let options = wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("sward.draw"),
         layout: Some(layout),
         vertex: wgpu::VertexState {
             module,
-            entry_point: Some("vs_blade"),
+            entry_point: Some(vertex),
             compilation_options: options.clone(),
             buffers: &[],
         },
@@ -55,7 +58,7 @@ fn pipeline(
         multisample: wgpu::MultisampleState { count: targets.samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module,
-            entry_point: Some("fs_blade"),
+            entry_point: Some(fragment),
             compilation_options: options,
             targets: &[Some(targets.color.into())],
         }),

@@ -82,7 +82,7 @@ fn decide(blade: Blade, state: BladeState, local: u32, rank: f32, inside: bool) 
             failed |= select(0u, 1u, fails_orientation_paper(blade));
         } else {
             let wide = size.width * widening(size.keep);
-            let shown = shown_width(blade, pose, wide, species_table[blade.species].ridge);
+            let shown = shown_width(blade, pose, wide, species_table[blade.species].form.x);
             let turn = clamp((shown - 0.1) / 0.2, 0.0, 1.0);
             failed |= select(0u, 1u, turn <= 0.0);
             fade *= turn;
