@@ -219,7 +219,7 @@ impl FieldDesc {
         within("max_slope_deg", self.max_slope_deg, 0.0, 180.0)?;
         let (low, high) = self.height_limits_m;
         // Also false where one is NaN.
-        if !(low <= high) {
+        if low.is_nan() || high.is_nan() || low > high {
             let cause = format!("{low} to {high} holds no height; give the lower limit first");
             return Err(Error::setting("height_limits_m", cause));
         }
