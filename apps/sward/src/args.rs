@@ -58,6 +58,9 @@ pub fn time_s(text: &str) -> Result<f64, String> {
 
 /// clap's message without its usage and hints, in one line, without the leading `error:`.
 pub fn one_line(error: &clap::Error) -> String {
+    if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        return "no subcommand; try --help".into();
+    }
     let text = error.to_string();
     let cause = text.split("\n\nUsage:").next().unwrap_or_default();
     let cause = cause.split("\n\nFor more information").next().unwrap_or_default();

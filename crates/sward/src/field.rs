@@ -6,14 +6,16 @@ use crate::grow::{self, Blade, Patch};
 use crate::{Error, Species};
 use glam::Vec3;
 
-/// Tufts: blades seeded round Poisson-disk samples (Cline et al. 2009).
+/// Tufts: blades seeded round Poisson-disk samples (Cline et al. 2009). The blades of a tuft are of
+/// one species, share a size, and lean and face outward.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tufts {
     /// Share of all blades that grow in tufts, 0..=1; the rest are scattered singly.
     pub share: f32,
-    /// Least distance between tufts, metres: larger gives fewer, fuller tufts.
+    /// Least straight-line distance between tufts, metres: larger gives fewer, fuller tufts; smaller
+    /// costs growing time. Widened where there would be more tufts than blades for them.
     pub radius_m: f32,
-    /// How far from its centre a tuft's blades stand, metres.
+    /// How far from its centre a tuft's blades stand at most, metres, measured along the surface.
     pub spread_m: f32,
 }
 
@@ -218,7 +220,6 @@ impl FieldDesc {
         }
         within("max_slope_deg", self.max_slope_deg, 0.0, 180.0)?;
         let (low, high) = self.height_limits_m;
-        // Also false where one is NaN.
         if low.is_nan() || high.is_nan() || low > high {
             let cause = format!("{low} to {high} holds no height; give the lower limit first");
             return Err(Error::setting("height_limits_m", cause));

@@ -141,7 +141,7 @@ impl Scene {
             sky: self.sky.ambient,
             ground: self.sky.bounce,
             haze: self.sky.horizon,
-            haze_per_m: 1.0 / self.sky.haze_m,
+            haze_per_m: self.sky.haze_m.recip(),
         }
     }
 

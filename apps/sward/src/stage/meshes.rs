@@ -153,8 +153,9 @@ pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
 /// much as the tip's: seen from above roots are half hidden, but half of a blade is root.
 fn mean_grass_color(scene: &Scene, object: usize) -> [f32; 3] {
     let mut sum = Vec3::ZERO;
-    let mut shares = 0.0;
-    for species in scene.fields.iter().filter(|f| f.object == object).flat_map(|f| &f.desc.species)
+    let mut shares = 0.0_f32;
+    for species in
+        scene.fields.iter().filter(|f| f.object == object).flat_map(|f| &f.desc.species)
     {
         let ends = [&species.root_color, &species.tip_color];
         let colors = ends.iter().flat_map(|range| [range.from, range.to]).map(Vec3::from);
@@ -172,7 +173,8 @@ pub(super) fn unit_sphere() -> Mesh {
     for ring in 0..=RINGS {
         let (sin_t, cos_t) = (std::f32::consts::PI * ring as f32 / RINGS as f32).sin_cos();
         for sector in 0..=SECTORS {
-            let (sin_p, cos_p) = (std::f32::consts::TAU * sector as f32 / SECTORS as f32).sin_cos();
+            let (sin_p, cos_p) =
+                (std::f32::consts::TAU * sector as f32 / SECTORS as f32).sin_cos();
             mesh.positions.push(Vec3::new(sin_t * cos_p, cos_t, -sin_t * sin_p));
         }
     }

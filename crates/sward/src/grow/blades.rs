@@ -5,6 +5,7 @@ use super::noise;
 use super::random::{Draws, Purpose, Stream};
 use super::scatter::Root;
 use super::tufts::RIM_LEAN;
+use crate::gpu::quantize::tangent_frame;
 use crate::{FieldDesc, Species};
 use glam::Vec3;
 use rayon::prelude::*;
@@ -12,6 +13,9 @@ use std::f32::consts::TAU;
 
 /// Width of the meadow's patches of taller and shorter grass, in blade heights.
 const MEADOW_PATCH: f32 = 12.0;
+
+/// How far the blades of a tuft turn from facing straight outward, radians either way.
+const TUFT_TURN: f32 = 1.3;
 
 /// Grows one blade on each root. Every value lies in its species' range.
 pub(crate) fn blades(roots: &[Root], desc: &FieldDesc) -> Vec<Blade> {
@@ -56,7 +60,8 @@ impl<'a> Gardener<'a> {
         // A tuft is one plant: of one kind.
         let kind = self.pick(tuft_draws.as_mut().unwrap_or(&mut draws));
         let species = &self.species[kind];
-        let facing = draws.unit() * TAU;
+        let up = self.up(root);
+        let facing = facing(up, root.lean, draws.unit());
         let own = draws.unit();
         let tall = match &mut tuft_draws {
             Some(tuft) => {
@@ -68,7 +73,7 @@ impl<'a> Gardener<'a> {
         };
         Blade {
             root: root.position,
-            up: self.up(root),
+            up,
             facing,
             height: species.height_m.at(tall),
             width: species.width_m.at(draws.unit()),
@@ -93,4 +98,16 @@ impl<'a> Gardener<'a> {
         // Halfway between straight down and straight up there is no direction: keep the normal.
         if up.length_squared() > 1e-6 { up.normalize() } else { root.normal }
     }
+}
+
+/// Single blades face anywhere, those of a tuft about outward; `chance` is uniform in 0..1.
+fn facing(up: Vec3, lean: Vec3, chance: f32) -> f32 {
+    if lean == Vec3::ZERO {
+        return chance * TAU;
+    }
+    let (first, second) = tangent_frame(up);
+    let outward = lean.dot(second).atan2(lean.dot(first));
+    let facing = (outward + (2.0 * chance - 1.0) * TUFT_TURN).rem_euclid(TAU);
+    // The remainder of a tiny negative angle rounds up to the divisor.
+    if facing < TAU { facing } else { 0.0 }
 }

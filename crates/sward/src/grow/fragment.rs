@@ -33,24 +33,11 @@ impl Fragment {
         (0..levels).rev().fold(Self::WHOLE, |f, level| f.child((digits >> (2 * level)) as u32 & 3))
     }
 
-    pub(crate) fn corners(self) -> [Vec2; 3] {
-        [
-            self.origin,
-            self.origin + Vec2::new(self.scale, 0.0),
-            self.origin + Vec2::new(0.0, self.scale),
-        ]
-    }
-
     /// A uniform point: barycentric weights by the square-root map.
     pub(crate) fn point(self, draws: &mut Draws) -> Vec2 {
         let root = draws.unit().sqrt();
         let along = draws.unit();
         self.origin + self.scale * root * Vec2::new(1.0 - along, along)
-    }
-
-    /// Size against the whole triangle: edges shrink by this, area by its square.
-    pub(crate) fn size(self) -> f32 {
-        self.scale.abs()
     }
 }
 
@@ -60,26 +47,27 @@ mod tests {
     use crate::grow::random::{Purpose, Stream};
 
     #[test]
-    fn children_tile_the_triangle_evenly() {
-        // Points found through four levels fill an 8-cell partition of the triangle evenly.
+    fn points_are_uniform_at_any_depth() {
         let stream = Stream::new(1, Purpose::Single);
-        let mut counts = [0u32; 4];
-        let n = 40_000;
-        for i in 0..n {
-            let mut draws = stream.at(i);
-            let p = Fragment::at(draws.unit_f64(), 4).point(&mut draws);
-            assert!(p.x >= 0.0 && p.y >= 0.0 && p.x + p.y <= 1.0 + 1e-6, "{p}");
-            let cell = if p.x > 0.5 {
-                0
-            } else if p.y > 0.5 {
-                1
-            } else if p.x + p.y < 0.5 {
-                2
-            } else {
-                3
-            };
-            counts[cell] += 1;
+        for levels in [0, 1, 4] {
+            // The four children of the whole, told apart by the weights themselves.
+            let mut counts = [0u32; 4];
+            for i in 0..40_000 {
+                let mut draws = stream.at(i);
+                let p = Fragment::at(draws.unit_f64(), levels).point(&mut draws);
+                assert!(p.x >= 0.0 && p.y >= 0.0 && p.x + p.y <= 1.0 + 1e-6, "{p}");
+                let cell = if p.x > 0.5 {
+                    0
+                } else if p.y > 0.5 {
+                    1
+                } else if p.x + p.y < 0.5 {
+                    2
+                } else {
+                    3
+                };
+                counts[cell] += 1;
+            }
+            assert!(counts.iter().all(|&c| (9700..10_300).contains(&c)), "{levels}: {counts:?}");
         }
-        assert!(counts.iter().all(|&c| (9700..10_300).contains(&c)), "{counts:?}");
     }
 }

@@ -27,7 +27,7 @@ pub struct Blade {
     /// Unit up direction.
     pub up: Vec3,
     /// Facing: angle about `up`, radians in 0..2 pi, from the first axis of the tangent frame of `up`
-    /// (`crate::gpu::layout::tangent_frame`).
+    /// (`crate::gpu::quantize::tangent_frame`).
     pub facing: f32,
     /// Length, metres.
     pub height: f32,

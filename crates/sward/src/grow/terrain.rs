@@ -11,7 +11,7 @@ use rayon::prelude::*;
 /// Shrink of the features from one octave to the next.
 const LACUNARITY: f32 = 2.03;
 /// Share of the height that the next octave has.
-const GAIN: f32 = 0.42;
+const GAIN: f32 = 0.38;
 /// How far the ground is warped, as a share of the feature size: bends valleys.
 const WARP: f32 = 0.3;
 /// Range of one octave of the noise that is reached in practice.
@@ -79,16 +79,17 @@ impl NoiseTerrain {
     fn height(&self, at_m: Vec2) -> f32 {
         let stream = Stream::new(self.seed, Purpose::Terrain);
         let seed = |octave: u32| stream.at(u64::from(octave)).bits();
-        let at = at_m / self.feature_m;
+        let mut at = at_m / self.feature_m;
         let warp = Vec2::new(gradient(seed(100), at), gradient(seed(101), at));
-        let mut at = at + WARP * warp;
         // Each octave is turned, or its grid would line up with the last one's.
         let turn = Mat2::from_angle(0.7) * LACUNARITY;
         let (mut sum, mut share, mut total) = (0.0f32, 1.0, 0.0);
         for octave in 0..self.octaves {
             // Low ground is smooth, as if washed out; high ground keeps its detail.
             let rough = if octave == 0 { 1.0 } else { (0.6 + sum).clamp(0.15, 1.0) };
-            sum += share * rough * gradient(seed(octave), at);
+            // The warp bends hills and valleys; it would draw small bumps out into streaks.
+            let bent = if octave < 2 { at + WARP * warp } else { at };
+            sum += share * rough * gradient(seed(octave), bent);
             total += share;
             share *= GAIN;
             at = turn * at;

@@ -28,11 +28,13 @@ fn arch_scale(sin_lean: f64, arch: f64) -> f64 {
 /// `|v2 - v1| = 3 - 2 rho - f`; squared, and with `|v2 - v1|^2 = rho^2 - 2 rho f cos + f^2`:
 /// `3 rho^2 - 12 rho + 9 - 6 f + 4 rho f + 2 rho f cos = 0`. Equation 11 in its usual range,
 /// `f = 1 - c rho` with `c = (1 - kappa) sin`, makes it a quadratic, as does its floor, f = 0.05.
+/// The first one's discriminant is written with `1 - cos` factored out as `sin^2 / (1 + cos)`:
+/// as printed it is 36 - 36 for an upright blade, and its square root would magnify the rounding.
 pub fn reach(cos_lean: f64, sin_lean: f64, arch: f64) -> f64 {
     let c = (1.0 - arch) * sin_lean;
-    let a = 4.0 * c + 2.0 * c * cos_lean - 3.0;
-    let b = 8.0 - 6.0 * c - 2.0 * cos_lean;
-    let mut rho = 6.0 / (b + (b * b + 12.0 * a).max(0.0).sqrt());
+    let versine = sin_lean * sin_lean / (1.0 + cos_lean.max(0.0));
+    let q = versine * (7.0 - cos_lean - 12.0 * c) + 9.0 * c * c;
+    let mut rho = 3.0 / (4.0 - 3.0 * c - cos_lean + q.max(0.0).sqrt());
     if 1.0 - c * rho < 0.05 {
         let e = 11.8 - 0.1 * cos_lean;
         rho = (e - (e * e - 104.4).sqrt()) / 6.0;

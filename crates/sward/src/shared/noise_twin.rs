@@ -40,3 +40,9 @@ fn gradient(cell: [i64; 2], seed: u32) -> DVec2 {
     let bits = hash_u32(wrapped[0].wrapping_add(row));
     dvec2(f64::from(bits & 0xffff), f64::from(bits >> 16)) / 32767.5 - DVec2::ONE
 }
+
+/// WGSL's smoothstep: 0 to 1 as `value` goes `from` to `to`.
+pub(crate) fn smoothstep(from: f64, to: f64, value: f64) -> f64 {
+    let t = ((value - from) / (to - from)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}

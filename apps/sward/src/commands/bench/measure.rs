@@ -64,7 +64,7 @@ fn whole_frame(gpu: &Gpu, stage: &mut Stage, dt_s: f64) -> Result<f32> {
 
 fn by_stage(gpu: &Gpu, stage: &mut Stage, dt_s: f64, times: &mut Times) -> Result<()> {
     use sward::Stage::{Compact, PatchCull, Physics, Visibility};
-    let mut one = |stage: &mut Stage, which| {
+    let one = |stage: &mut Stage, which| {
         time_stage(gpu, stage, |stage, encoder| {
             stage.encode_stage(encoder, which);
             Ok(())

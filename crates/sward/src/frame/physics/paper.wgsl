@@ -15,16 +15,17 @@ fn paper_push(point: vec3<f32>, sphere: vec4<f32>, lean: vec3<f32>) -> vec3<f32>
 }
 
 // Collision of the tip and of the curve's midpoint (equations 14 to 16): xyz the tip's
-// displacement, in heights; w what the crush gains.
+// displacement, in heights; w what the crush gains. Positions are relative to the root, as a small
+// blade far from the origin has few digits left otherwise.
 fn paper_collision(blade: Blade, tip: vec3<f32>, first_sphere: u32, sphere_count: u32)
     -> vec4<f32> {
     let middle = middle_point(tip, blade.up, 0.0);
-    let tip_m = blade.root + tip * blade.height;
-    let midpoint_m = blade.root + (middle * 0.5 + tip * 0.25) * blade.height;
+    let tip_m = tip * blade.height;
+    let midpoint_m = (middle * 0.5 + tip * 0.25) * blade.height;
     let lean = safe_normalize(tip - blade.up * dot(tip, blade.up), blade.facing);
     var sum = vec4<f32>(0.0);
     for (var i = 0u; i < sphere_count; i++) {
-        let sphere = near_sphere(first_sphere + i);
+        let sphere = near_sphere(first_sphere + i) - vec4<f32>(blade.root, 0.0);
         if !(is_finite3(sphere.xyz) && is_finite(sphere.w)) {
             continue;
         }

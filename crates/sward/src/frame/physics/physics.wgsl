@@ -1,9 +1,12 @@
 // The default model: an exact step of the linear recovery, and length by projection. Velocities
 // and displacements are in units of the blade's height; equation numbers are J's.
 
-const MAX_SUBSTEPS: f32 = 8.0;
-// Largest k dt of a substep.
-const SUBSTEP: f32 = 0.5;
+// A sleeping blade catches up in at most this many substeps.
+const MAX_SUBSTEPS: u32 = 32u;
+// Largest k dt of the last substep.
+const SUBSTEP: f32 = 0.25;
+// Each substep is this much longer than the next: what is long past is soon forgotten.
+const SUBSTEP_GROWTH: f32 = 1.1;
 
 // Recovery rate k, 1/s (equation 3).
 fn recovery_rate(blade: Blade, crush: f32) -> f32 {
@@ -19,12 +22,14 @@ fn gravity_pull(root: vec3<f32>) -> vec3<f32> {
 }
 
 // Velocity by gravity (equations 4 to 6). The front part turns from the facing to the present
-// lean as the blade lies down; otherwise a flattened blade swims towards its facing.
+// lean as the blade lies down; otherwise a flattened blade swims towards its facing. It turns
+// beyond the lean of a blade at rest: else nothing would bring that blade back to its facing.
 fn gravity_velocity(blade: Blade, tip: vec3<f32>) -> vec3<f32> {
     let pull = gravity_pull(blade.root);
     let flat = tip - blade.up * dot(tip, blade.up);
     let l = length(flat);
-    let front = blade.facing * (1.0 - min(l / 0.3, 1.0)) + flat / max(l, 0.3);
+    let turned = smoothstep(0.4, 0.9, l);
+    let front = blade.facing * (1.0 - turned) + flat * (turned / max(l, 0.1));
     return (pull + front * (length(pull) * 0.25)) * (blade.droop * blade.response);
 }
 
@@ -59,8 +64,43 @@ fn substep(blade: Blade, tip: vec3<f32>, wind: vec3<f32>, k: f32, dt_s: f32) -> 
     return project_tip(start + turn, blade.up, blade.facing, blade.arch);
 }
 
+// Crush after `seconds` without contact (equation 2).
+fn crush_after(crush: f32, seconds: f32) -> f32 {
+    return max(crush - frame.crush_decay * seconds, 0.0);
+}
+
+// The tip after `gap_s` of wind, gravity and recovery, in substeps that are longer the longer ago
+// they are. A sleep that they cannot cover starts from recovery alone; they then forget it.
+fn move_freely(blade: Blade, state: BladeState, gap_s: f32) -> vec3<f32> {
+    let k_end = recovery_rate(blade, crush_after(state.crush, gap_s));
+    // Lengths of the substeps in units of the last one's, and their number.
+    var count = 1u;
+    var total = 1.0;
+    var first = 1.0;
+    while count < MAX_SUBSTEPS && total * SUBSTEP < k_end * gap_s - 1e-3 {
+        first *= SUBSTEP_GROWTH;
+        total += first;
+        count += 1u;
+    }
+    let window = min(gap_s, total * SUBSTEP / k_end);
+    let skipped = gap_s - window;
+    let k_skipped = recovery_rate(blade, crush_after(state.crush, skipped * 0.5));
+    let woken = blade.up + (state.tip - blade.up) * exp(-k_skipped * skipped);
+    var tip = project_tip(woken, blade.up, blade.facing, blade.arch);
+    var dt_s = window * first / total;
+    var ago = window;
+    for (var i = 0u; i < count; i++) {
+        let middle = ago - 0.5 * dt_s;
+        let wind = wind_at(blade.root, middle);
+        let k = recovery_rate(blade, crush_after(state.crush, gap_s - middle));
+        tip = substep(blade, tip, wind, k, dt_s);
+        ago -= dt_s;
+        dt_s /= SUBSTEP_GROWTH;
+    }
+    return tip;
+}
+
 // Advances a blade by `gap_s`, the time since it was last advanced: a frame, or a whole sleep.
-// A sleep longer than four response times is cut to those: what came before is forgotten.
 fn advance_sward(
     blade: Blade,
     state: BladeState,
@@ -71,25 +111,13 @@ fn advance_sward(
     if !(gap_s > 0.0) {
         return state;
     }
-    let crush_end = max(state.crush - frame.crush_decay * gap_s, 0.0);
-    let k_end = recovery_rate(blade, crush_end);
-    let window = min(gap_s, MAX_SUBSTEPS * SUBSTEP / k_end);
-    let count = clamp(ceil(k_end * window / SUBSTEP - 1e-3), 1.0, MAX_SUBSTEPS);
-    let dt_s = window / count;
-    var tip = project_tip(state.tip, blade.up, blade.facing, blade.arch);
-    for (var i = 0.0; i < count; i += 1.0) {
-        let ago = (count - i - 0.5) * dt_s;
-        let crush = min(crush_end + frame.crush_decay * ago, state.crush);
-        let wind = wind_at(blade.root, ago);
-        tip = substep(blade, tip, wind, recovery_rate(blade, crush), dt_s);
-    }
-    var next = BladeState(tip, crush_end);
+    let tip = move_freely(blade, state, gap_s);
+    var next = BladeState(tip, crush_after(state.crush, gap_s));
     let push = contact_largest(blade, tip, first_sphere, sphere_count);
     if dot(push, push) > 0.0 {
         next.tip = project_tip(tip + push, blade.up, blade.facing, blade.arch);
         // Contact holds the crush: it fades only over the part of the gap that was a sleep.
-        let asleep = max(gap_s - frame.dt_s, 0.0);
-        let held = max(state.crush - frame.crush_decay * asleep, 0.0);
+        let held = crush_after(state.crush, max(gap_s - frame.dt_s, 0.0));
         let bend = next.tip - blade.up;
         next.crush = max(held, min(dot(bend, bend), 2.0));
     }
@@ -109,7 +137,7 @@ fn sound_state(blade: Blade, state: BladeState) -> BladeState {
 
 // The tip of an undisturbed blade: the equilibrium of recovery and gravity.
 fn rest_tip(blade: Blade) -> vec3<f32> {
-    let dt_s = SUBSTEP / blade.response;
+    let dt_s = 0.5 / blade.response;
     var tip = blade.up;
     for (var i = 0u; i < 32u; i++) {
         tip = substep(blade, tip, vec3<f32>(0.0), blade.response, dt_s);

@@ -5,13 +5,16 @@
 
 use crate::frame::collide::twin::contact_largest;
 use crate::shared::curve_twin::{project_tip, safe_normalize};
+use crate::shared::noise_twin::smoothstep;
 use crate::{Gravity, Sphere, Wind};
 use glam::DVec3;
 
 /// A sleeping blade catches up in at most this many substeps.
-const MAX_SUBSTEPS: f64 = 8.0;
-/// Largest `k dt` of a substep.
-const SUBSTEP: f64 = 0.5;
+const MAX_SUBSTEPS: u32 = 32;
+/// Largest `k dt` of the last substep.
+const SUBSTEP: f64 = 0.25;
+/// Each substep is this much longer than the next: what is long past is soon forgotten.
+const SUBSTEP_GROWTH: f64 = 1.1;
 
 /// One blade: what does not change.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,12 +87,14 @@ pub fn gravity_pull(gravity: &Gravity, root: DVec3) -> DVec3 {
 }
 
 /// Velocity by gravity (equations 4 to 6). The front part turns from the facing to the present
-/// lean as the blade lies down; otherwise a flattened blade swims towards its facing.
+/// lean as the blade lies down; otherwise a flattened blade swims towards its facing. It turns
+/// beyond the lean of a blade at rest: else nothing would bring that blade back to its facing.
 fn gravity_velocity(blade: &Blade, tip: DVec3, gravity: &Gravity) -> DVec3 {
     let pull = gravity_pull(gravity, blade.root);
     let flat = tip - blade.up * tip.dot(blade.up);
     let l = flat.length();
-    let front = blade.facing * (1.0 - (l / 0.3).min(1.0)) + flat / l.max(0.3);
+    let turned = smoothstep(0.4, 0.9, l);
+    let front = blade.facing * (1.0 - turned) + flat * (turned / l.max(0.1));
     (pull + front * (pull.length() * 0.25)) * (blade.droop * blade.response)
 }
 
@@ -127,8 +132,7 @@ fn substep(blade: &Blade, tip: DVec3, drive: &Drive, k: f64, dt_s: f64) -> DVec3
     project_tip(start + turn, blade.up, blade.facing, blade.arch)
 }
 
-/// Advances a blade by `gap_s`, the time since it was last advanced: a frame, or a whole sleep. A
-/// sleep longer than four response times is cut to those: what came before is forgotten.
+/// Advances a blade by `gap_s`, the time since it was last advanced: a frame, or a whole sleep.
 ///
 /// The result is finite whatever the surroundings hold; a gap of 0 changes nothing.
 pub fn advance(blade: &Blade, state: State, gap_s: f64, around: &Surroundings) -> State {
@@ -149,7 +153,8 @@ pub fn advance(blade: &Blade, state: State, gap_s: f64, around: &Surroundings) -
     if next.is_finite() { next } else { state.sound(blade) }
 }
 
-/// The tip after `gap_s` of wind, gravity and recovery.
+/// The tip after `gap_s` of wind, gravity and recovery, in substeps that are longer the longer ago
+/// they are. A sleep that they cannot cover starts from recovery alone; they then forget it.
 fn move_freely(
     blade: &Blade,
     state: State,
@@ -157,23 +162,38 @@ fn move_freely(
     crush_end: f64,
     around: &Surroundings,
 ) -> DVec3 {
+    let crush_after = |seconds: f64| (state.crush - around.crush_decay * seconds).max(0.0);
     let k_end = recovery_rate(blade, crush_end);
-    let window = gap_s.min(MAX_SUBSTEPS * SUBSTEP / k_end);
-    let count = (k_end * window / SUBSTEP - 1e-3).ceil().clamp(1.0, MAX_SUBSTEPS);
-    let dt_s = window / count;
-    let start = project_tip(state.tip, blade.up, blade.facing, blade.arch);
-    (0..count as u32).fold(start, |tip, i| {
-        let ago = (count - f64::from(i) - 0.5) * dt_s;
-        let crush = (crush_end + around.crush_decay * ago).min(state.crush);
-        let wind = around.wind.strength_at_f64(blade.root, ago);
+    // Lengths of the substeps in units of the last one's, and their number.
+    let (mut count, mut total, mut first) = (1, 1.0, 1.0);
+    while count < MAX_SUBSTEPS && total * SUBSTEP < k_end * gap_s - 1e-3 {
+        first *= SUBSTEP_GROWTH;
+        total += first;
+        count += 1;
+    }
+    let window = gap_s.min(total * SUBSTEP / k_end);
+    let skipped = gap_s - window;
+    let k_skipped = recovery_rate(blade, crush_after(skipped * 0.5));
+    let left = (-k_skipped * skipped).exp();
+    let woken = blade.up + (state.tip - blade.up) * left;
+    let mut tip = project_tip(woken, blade.up, blade.facing, blade.arch);
+    let mut dt_s = window * first / total;
+    let mut ago = window;
+    for _ in 0..count {
+        let middle = ago - 0.5 * dt_s;
+        let wind = around.wind.strength_at_f64(blade.root, middle);
         let drive = Drive { gravity: around.gravity, wind };
-        substep(blade, tip, &drive, recovery_rate(blade, crush), dt_s)
-    })
+        let k = recovery_rate(blade, crush_after(gap_s - middle));
+        tip = substep(blade, tip, &drive, k, dt_s);
+        ago -= dt_s;
+        dt_s /= SUBSTEP_GROWTH;
+    }
+    tip
 }
 
 /// The tip of an undisturbed blade: the equilibrium of recovery and gravity.
 pub fn rest_tip(blade: &Blade, gravity: &Gravity) -> DVec3 {
     let drive = Drive { gravity: *gravity, wind: DVec3::ZERO };
-    let dt_s = SUBSTEP / blade.response;
+    let dt_s = 0.5 / blade.response;
     (0..32).fold(blade.up, |tip, _| substep(blade, tip, &drive, blade.response, dt_s))
 }

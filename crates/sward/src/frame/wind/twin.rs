@@ -1,6 +1,6 @@
 //! Wind strength (beta) at a place and a time, the reference of `wind.wgsl`.
 
-use crate::shared::noise_twin::noise2;
+use crate::shared::noise_twin::{noise2, smoothstep};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use std::f64::consts::TAU;
 
@@ -49,9 +49,10 @@ impl Source {
         let travelled = self.phase.x - self.rate * seconds_ago;
         let cells = self.frequency / TAU;
         let drift = self.phase.y - self.rate / TAU * WAVE_CELLS * seconds_ago;
-        let noise_at = dvec2(at.x * cells * WAVE_CELLS - drift, at.y * cells * 0.5);
-        let wander = 5.0 * noise2(noise_at, self.seed);
-        let envelope = 0.7 + 0.6 * noise2(noise_at * 2.0, self.seed.wrapping_add(1));
+        let noise_at = dvec2(at.x * cells * WAVE_CELLS - drift, at.y * cells * WAVE_CELLS);
+        let noise = |octave: f64, seed| noise2(noise_at * octave, self.seed.wrapping_add(seed));
+        let wander = 9.0 * noise(1.0, 0) + 4.0 * noise(2.0, 1);
+        let envelope = 1.2 * smoothstep(-0.5, 0.4, noise(2.0, 2));
         let phase = travelled - self.frequency * at.x + wander;
         // Rises three times as fast as it falls: the front of a gust is sharp, its tail is not.
         let profile = (phase + 0.5 * phase.sin()).sin();
@@ -63,8 +64,7 @@ impl Source {
         let drift = self.phase.x - self.rate * self.frequency * seconds_ago;
         let cell = dvec2(at.x * self.frequency - drift, at.y * self.frequency * 0.5);
         let sum = noise2(cell, self.seed) + 0.5 * noise2(cell * 2.0, self.seed.wrapping_add(1));
-        let share = ((sum + 0.4) / 1.2).clamp(0.0, 1.0);
-        let strength = share * share * (3.0 - 2.0 * share) * self.strength.x;
+        let strength = smoothstep(-0.4, 0.8, sum) * self.strength.x;
         let veer = self.strength.y * 1.6 * noise2(cell, self.seed.wrapping_add(2));
         DVec2::from_angle(veer).rotate(self.direction) * strength
     }

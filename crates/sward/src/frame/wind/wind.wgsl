@@ -14,12 +14,13 @@ fn wind_axes(source: GpuWindSource, position: vec3<f32>) -> vec2<f32> {
 fn wave_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec2<f32> {
     let at = wind_axes(source, position);
     let travelled = source.phase.x - source.rate * seconds_ago;
-    // Noise cells a radian of the wave: a cell is four crests long and two wide.
+    // A cell of the noise is as long and as wide as four crests.
     let cells = source.frequency / TAU;
     let drift = source.phase.y - source.rate / TAU * 0.25 * seconds_ago;
-    let noise_at = vec2<f32>(at.x * cells * 0.25 - drift, at.y * cells * 0.5);
-    let wander = 5.0 * noise2(noise_at, source.seed);
-    let envelope = 0.7 + 0.6 * noise2(noise_at * 2.0, source.seed + 1u);
+    let noise_at = vec2<f32>(at.x * cells * 0.25 - drift, at.y * cells * 0.25);
+    let wander =
+        9.0 * noise2(noise_at, source.seed) + 4.0 * noise2(noise_at * 2.0, source.seed + 1u);
+    let envelope = 1.2 * smoothstep(-0.5, 0.4, noise2(noise_at * 2.0, source.seed + 2u));
     let turn = (travelled - source.frequency * at.x + wander) / TAU;
     let phase = (turn - floor(turn)) * TAU;
     // Rises three times as fast as it falls: the front of a gust is sharp, its tail is not.

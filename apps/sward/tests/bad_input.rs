@@ -1,0 +1,123 @@
+//! Bad input: exit code 2, one line that says what is wrong, and no file left behind.
+
+mod common;
+
+use common::{Folder, scene, stderr, stdout};
+
+/// Runs, expects a refusal that mentions `cause`, and nothing new in the folder.
+fn refused(arguments: &[&str], cause: &str) {
+    let folder = Folder::new();
+    std::fs::write(folder.path("file.txt"), "not a folder").unwrap();
+    let output = folder.sward(arguments);
+    let error = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
+    assert_eq!(error.lines().count(), 1, "{arguments:?}: {error}");
+    assert!(error.starts_with("error: ") && error.contains(cause), "{arguments:?}: {error}");
+    assert!(!error.contains('\x1b'), "coloured though no terminal: {error}");
+    assert_eq!(stdout(&output), "", "{arguments:?}");
+    assert_eq!(folder.names(), ["file.txt"], "{arguments:?}");
+}
+
+fn render(extra: &[&str], cause: &str) {
+    let scene = scene("tiny.ron");
+    refused(&[&["render", &scene], extra].concat(), cause);
+}
+
+#[test]
+fn usage() {
+    refused(&[], "subcommand");
+    refused(&["paint"], "unrecognized subcommand 'paint'");
+    refused(&["render", "--colour"], "--colour");
+    refused(&["render", "x.ron"], "--output");
+}
+
+#[test]
+fn scenes() {
+    refused(&["render", "missing.ron", "-o", "a.png"], "missing.ron");
+    refused(&["check", "missing.ron"], "missing.ron");
+    refused(&["bench", "missing.ron"], "missing.ron");
+    refused(&["check", "file.txt"], "file.txt");
+    refused(&["check", &scene("unknown_key.ron")], "unknown_key.ron:3");
+}
+
+#[test]
+fn sizes() {
+    for size in ["0x0", "0x64", "64", "64x", "-64x64", "64x64x64", "wide"] {
+        render(&["-o", "a.png", &format!("--size={size}")], "--size");
+    }
+    render(&["-o", "a.png", "--size", "100000x64"], "max_texture_dimension_2d");
+}
+
+#[test]
+fn frames_and_times() {
+    for frames in ["3..3", "5..2", "5", "a..b", "-1..3"] {
+        render(&["-o", "%d.png", &format!("--frames={frames}")], "--frames");
+    }
+    for fps in ["0", "NaN", "-30", "inf"] {
+        render(&["-o", "a.png", &format!("--fps={fps}")], "--fps");
+    }
+    for time in ["-1", "NaN", "inf"] {
+        render(&["-o", "a.png", &format!("--time={time}")], "--time");
+    }
+    render(&["-o", "a.png", "--frames", "0..3"], "%04d");
+    render(&["-o", "%04d.png"], "--frames");
+}
+
+#[test]
+fn samples() {
+    render(&["-o", "a.png", "--samples", "3"], "this adapter has 1, 4");
+    render(&["-o", "a.png", "--samples", "0"], "this adapter has 1, 4");
+    render(&["-o", "a.png", "--samples", "many"], "--samples");
+}
+
+#[test]
+fn cameras() {
+    render(&["-o", "a.png", "--camera", "attic"], "main, side");
+}
+
+#[test]
+fn outputs() {
+    render(&["-o", "a"], "no extension");
+    render(&["-o", "a.jpg"], ".png");
+    render(&["-o", "a.mp4"], "not written yet");
+    render(&["-o", "a.gif"], "not written yet");
+    render(&["-o", "%s.png", "--frames", "0..2"], "%04d");
+    render(&["-o", "file.txt/a.png"], "file.txt");
+    render(&["-o", "."], "extension");
+}
+
+#[test]
+fn pictures_to_compare() {
+    refused(&["compare", "a.png", "b.png"], "a.png");
+    refused(&["compare", "file.txt", "file.txt"], "file.txt");
+}
+
+#[test]
+fn earlier_measurements() {
+    let scene = scene("tiny.ron");
+    refused(&["bench", &scene, "--compare", "none.json"], "none.json");
+    refused(&["bench", &scene, "--compare", "file.txt"], "not a file that bench --json wrote");
+    refused(&["bench", &scene, "--frames", "0"], "--frames");
+    refused(&["bench", &scene, "--without", "sun"], "collisions, culling");
+    refused(&["bench", &scene, "--patch-sizes", "100"], "patch_size");
+    refused(&["bench", &scene, "--json", "file.txt/a.json"], "file.txt");
+}
+
+/// Runs with an environment in which no adapter can be opened.
+fn no_adapter(variable: (&str, &str), cause: &str) {
+    let folder = Folder::new();
+    let arguments: &[&str] = &["render", &scene("tiny.ron"), "-o", "new/a.png"];
+    let output = folder.sward_with(arguments, &[variable]);
+    let error = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{error}");
+    assert_eq!(error.lines().count(), 1, "{error}");
+    assert!(error.contains(cause), "{error}");
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn adapters() {
+    no_adapter(("WGPU_ADAPTER_NAME", "no such card"), "there are: ");
+    no_adapter(("WGPU_BACKEND", "gl"), "apt-get install mesa-vulkan-drivers");
+    no_adapter(("VK_DRIVER_FILES", "/none.json"), "apt-get install mesa-vulkan-drivers");
+}

@@ -1,0 +1,120 @@
+//! What the command does when all is well.
+
+mod common;
+
+use common::{Folder, scene, stderr, stdout};
+
+fn succeeds(folder: &Folder, arguments: &[&str]) -> String {
+    let output = folder.sward(arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
+    // No terminal, so no progress either.
+    assert_eq!(stderr(&output), "", "{arguments:?}");
+    stdout(&output)
+}
+
+const SMALL: [&str; 2] = ["--size", "64x48"];
+
+fn render(folder: &Folder, extra: &[&str]) -> String {
+    let scene = scene("tiny.ron");
+    succeeds(folder, &[&["render", &scene], &SMALL[..], extra].concat())
+}
+
+#[test]
+fn help_has_examples() {
+    let folder = Folder::new();
+    for command in ["render", "bench", "check", "compare", "info"] {
+        let help = succeeds(&folder, &[command, "--help"]);
+        assert!(help.contains("Examples:"), "{help}");
+        assert!(help.contains(&format!("sward {command}")), "{help}");
+    }
+    let help = succeeds(&folder, &["--help"]);
+    assert!(help.contains("render") && help.contains("Examples:"), "{help}");
+    assert!(succeeds(&folder, &["--version"]).starts_with("sward "));
+}
+
+#[test]
+fn says_where_the_picture_is() {
+    let folder = Folder::new();
+    let said = render(&folder, &["-o", "new/folder/a.png"]);
+    assert!(said.contains("new/folder/a.png") && said.contains("rendered in"), "{said}");
+    let picture = image::open(folder.path("new/folder/a.png")).unwrap();
+    assert_eq!((picture.width(), picture.height()), (64, 48));
+    assert_eq!(render(&folder, &["-o", "b.png", "--quiet"]), "");
+    assert_eq!(folder.names(), ["b.png", "new"]);
+}
+
+#[test]
+fn a_frame_is_the_same_alone_and_in_a_run() {
+    let folder = Folder::new();
+    render(&folder, &["-o", "run%d.png", "--frames", "0..4"]);
+    render(&folder, &["-o", "alone%03d.png", "--frames", "3..4"]);
+    render(&folder, &["-o", "time.png", "--time", "0.1"]);
+    let names = ["alone003.png", "run0.png", "run1.png", "run2.png", "run3.png", "time.png"];
+    assert_eq!(folder.names(), names);
+    let bytes = |name: &str| std::fs::read(folder.path(name)).unwrap();
+    assert!(bytes("run3.png") == bytes("alone003.png"), "frame 3 differs");
+    assert!(bytes("run3.png") == bytes("time.png"), "frame 3 is the time 0.1 s at 30 fps");
+    assert!(bytes("run0.png") != bytes("run3.png"), "nothing moves in the wind");
+}
+
+#[test]
+fn reference_and_options_draw() {
+    let folder = Folder::new();
+    render(&folder, &["-o", "plain.png"]);
+    render(&folder, &["-o", "reference.png", "--reference"]);
+    render(&folder, &["-o", "paper.png", "--physics", "paper", "--culling", "paper"]);
+    render(&folder, &["-o", "side.png", "--camera", "side", "--samples", "1", "--culling", "off"]);
+    let said = succeeds(&folder, &["compare", "reference.png", "plain.png", "--json", "f.json"]);
+    assert!(said.starts_with("FLIP mean 0."), "{said}");
+    let json: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.path("f.json")).unwrap()).unwrap();
+    let mean = json["flip"]["mean"].as_f64().unwrap();
+    assert!(mean > 0.0 && mean < 0.25, "the default is unlike its reference: {mean}");
+}
+
+#[test]
+fn bench_writes_every_key() {
+    let folder = Folder::new();
+    let scene = scene("tiny.ron");
+    let base = ["bench", &scene, "--frames", "2", "--size", "64x48"];
+    let said = succeeds(&folder, &[&base[..], &["--json", "a.json"]].concat());
+    assert!(said.contains("blades drawn") && said.contains("visibility"), "{said}");
+    let json: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.path("a.json")).unwrap()).unwrap();
+    for key in [
+        "adapter", "driver", "backend", "size", "samples", "scene", "blades_total", "patches",
+        "blades_drawn", "blades_culled", "spheres_tested", "vertices", "ms", "bytes_per_blade",
+        "gpu_bytes", "grow_s",
+    ] {
+        assert!(!json[key].is_null(), "{key}");
+    }
+    for part in ["frame", "physics", "visibility", "draw", "post"] {
+        assert!(json["ms"][part]["p50"].as_f64().unwrap() > 0.0, "{part}");
+        assert!(json["ms"][part]["p99"].as_f64().unwrap() > 0.0, "{part}");
+    }
+    let again = [&base[..], &["--compare", "a.json", "--patch-sizes", "64,128"]].concat();
+    let said = succeeds(&folder, &again);
+    assert!(said.contains("change") && said.contains("patch size"), "{said}");
+}
+
+#[test]
+fn culling_off_draws_every_blade() {
+    let folder = Folder::new();
+    let scene = scene("tiny.ron");
+    let base = ["bench", &scene, "--frames", "1", "--size", "64x48", "--json", "a.json"];
+    succeeds(&folder, &[&base[..], &["--without", "culling", "--blades", "3000"]].concat());
+    let json: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.path("a.json")).unwrap()).unwrap();
+    assert_eq!(json["blades_drawn"], json["blades_total"]);
+    let blades = json["blades_total"].as_f64().unwrap();
+    assert!((blades / 3000.0 - 1.0).abs() < 0.1, "{blades}");
+}
+
+#[test]
+fn check_and_info_say_what_there_is() {
+    let folder = Folder::new();
+    let said = succeeds(&folder, &["check", &scene("tiny.ron")]);
+    assert!(said.contains("main, side") && said.contains("blades"), "{said}");
+    let said = succeeds(&folder, &["info"]);
+    assert!(said.contains("max_buffer_size") && said.contains("samples a pixel"), "{said}");
+}

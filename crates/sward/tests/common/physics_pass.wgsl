@@ -1,0 +1,31 @@
+// Runs a model on each blade of a list: the entry of a test, not of the library.
+
+@group(1) @binding(0) var<storage, read> test_blades: array<Blade>;
+@group(1) @binding(1) var<storage, read_write> test_states: array<BladeState>;
+@group(1) @binding(2) var<storage, read> test_gaps: array<f32>;
+
+fn near_sphere(index: u32) -> vec4<f32> {
+    return spheres[index];
+}
+
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) thread: vec3<u32>) {
+    let i = thread.x;
+    if i >= arrayLength(&test_blades) {
+        return;
+    }
+    let blade = test_blades[i];
+    let state = test_states[i];
+    let first = i * frame.sphere_count;
+    switch frame.physics_model {
+        case 0u: {
+            test_states[i] = advance_sward(blade, state, test_gaps[i], first, frame.sphere_count);
+        }
+        case 1u: {
+            test_states[i] = advance_paper(blade, state, test_gaps[i], first, frame.sphere_count);
+        }
+        default: {
+            test_states[i] = BladeState(rest_tip(blade), 0.0);
+        }
+    }
+}
