@@ -85,19 +85,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         let cause = "the scene grows nothing: write at least `fields: [(on: Terrain(size_m: 60))]`";
         return Err(context.error(Key::name("fields").problem(cause)));
     }
-    let mut placed = Vec::new();
-    for (index, object) in file.objects.iter().enumerate() {
-        let object = Placed::from_file(context, object, index, &placed)?;
-        if placed.iter().any(|other: &Placed| other.name == object.name) {
-            let cause = format!("the name '{}' is taken by an object before it", object.name);
-            return Err(context.error(Key::list("objects", index).at("name").problem(cause)));
-        }
-        placed.push(object);
-    }
-    let mut hosts = Vec::new();
-    for (index, field) in file.fields.iter().enumerate() {
-        hosts.push(host(context, field, index, &mut placed)?);
-    }
+    let (placed, hosts) = place(context, file)?;
     let checked = settings::Settings::check(file).map_err(|problem| context.error(problem))?;
     let cameras =
         views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
@@ -136,6 +124,24 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         fps: checked.fps,
         notes: std::mem::take(&mut context.notes),
     })
+}
+
+/// The objects, those that fields bring included, and for each field the index of its object.
+fn place(context: &mut Context, file: &SceneFile) -> Result<(Vec<Placed>, Vec<usize>), SceneError> {
+    let mut placed = Vec::new();
+    for (index, object) in file.objects.iter().enumerate() {
+        let object = Placed::from_file(context, object, index, &placed)?;
+        if placed.iter().any(|other: &Placed| other.name == object.name) {
+            let cause = format!("the name '{}' is taken by an object before it", object.name);
+            return Err(context.error(Key::list("objects", index).at("name").problem(cause)));
+        }
+        placed.push(object);
+    }
+    let mut hosts = Vec::new();
+    for (index, field) in file.fields.iter().enumerate() {
+        hosts.push(host(context, field, index, &mut placed)?);
+    }
+    Ok((placed, hosts))
 }
 
 fn field_name(field: &FieldFile, index: usize) -> String {

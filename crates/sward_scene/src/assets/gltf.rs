@@ -165,9 +165,9 @@ fn triangles(indices: &[u32], mode: Mode) -> Vec<[u32; 3]> {
     match mode {
         Mode::TriangleStrip => {
             let windows = indices.windows(3).enumerate();
-            let turned = windows.filter_map(|(i, window)| match window {
-                &[a, b, c] if i % 2 == 0 => Some([a, b, c]),
-                &[a, b, c] => Some([b, a, c]),
+            let turned = windows.filter_map(|(i, window)| match *window {
+                [a, b, c] if i % 2 == 0 => Some([a, b, c]),
+                [a, b, c] => Some([b, a, c]),
                 _ => None,
             });
             turned.collect()

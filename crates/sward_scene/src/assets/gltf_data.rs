@@ -182,27 +182,12 @@ impl Data<'_> {
             rows.fill([0.0; N]);
         }
         if let Some(sparse) = accessor.sparse() {
-            let (indices, values) = (sparse.indices(), sparse.values());
-            let kind = match indices.index_type() {
-                gltf::accessor::sparse::IndexType::U8 => DataType::U8,
-                gltf::accessor::sparse::IndexType::U16 => DataType::U16,
-                gltf::accessor::sparse::IndexType::U32 => DataType::U32,
-            };
-            let places = self.view(&indices.view(), indices.offset())?;
-            let bytes = self.view(&values.view(), values.offset())?;
             let size = components * accessor.data_type().size();
-            check_extent(places, sparse.count(), kind.size(), kind.size(), index)?;
+            let values = sparse.values();
+            let bytes = self.view(&values.view(), values.offset())?;
             check_extent(bytes, sparse.count(), size, size, index)?;
-            let places = Elements {
-                bytes: places,
-                stride: kind.size(),
-                kind,
-                normalized: false,
-                components: 1,
-            };
             let elements = layout(bytes, size, accessor.data_type());
-            for i in 0..sparse.count() {
-                let place = places.component(i, 0) as usize;
+            for (i, place) in self.sparse_places(&sparse, index)?.into_iter().enumerate() {
                 let row = rows.get_mut(place).ok_or_else(|| {
                     format!("accessor {index}: sparse index {place} is out of range: {count}")
                 })?;
@@ -210,6 +195,25 @@ impl Data<'_> {
             }
         }
         Ok(rows)
+    }
+
+    /// The elements that a sparse accessor replaces.
+    fn sparse_places(
+        &self,
+        sparse: &gltf::accessor::sparse::Sparse,
+        index: usize,
+    ) -> Result<Vec<usize>, String> {
+        use gltf::accessor::sparse::IndexType;
+        let indices = sparse.indices();
+        let kind = match indices.index_type() {
+            IndexType::U8 => DataType::U8,
+            IndexType::U16 => DataType::U16,
+            IndexType::U32 => DataType::U32,
+        };
+        let (bytes, stride) = (self.view(&indices.view(), indices.offset())?, kind.size());
+        check_extent(bytes, sparse.count(), stride, stride, index)?;
+        let places = Elements { bytes, stride, kind, normalized: false, components: 1 };
+        Ok((0..sparse.count()).map(|i| places.component(i, 0) as usize).collect())
     }
 }
 

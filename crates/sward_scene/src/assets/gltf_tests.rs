@@ -146,6 +146,23 @@ fn bad_numbers_are_named() {
 }
 
 #[test]
+fn sparse_accessors_replace_some_elements() {
+    // Element 2 of the positions becomes the normal of element 0: (0, 0, 1).
+    let sparse = r#""type":"VEC3","min":[0,0,0],"max":[1,1,0],"sparse":{"count":1,
+        "indices":{"bufferView":3,"byteOffset":4,"componentType":5123},
+        "values":{"bufferView":1}}"#;
+    let json = json(r#"[{"mesh":0}]"#, PRIMITIVE)
+        .replace(r#""type":"VEC3","min":[0,0,0],"max":[1,1,0]"#, sparse);
+    let parts = read(&glb(&json, &buffer())).expect("a triangle");
+    assert_eq!(parts[0].mesh.positions, [Vec3::ZERO, Vec3::X, Vec3::Z]);
+    let mut beyond = buffer();
+    beyond[88] = 9;
+    let whole = r#"{"attributes":{"POSITION":0}}"#;
+    let json = json.replace(PRIMITIVE, whole);
+    assert!(cause(&glb(&json, &beyond)).contains("sparse index 9 is out of range"));
+}
+
+#[test]
 fn embedded_buffers_are_read() {
     // 92 bytes in base64, with the standard alphabet.
     let alphabet = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

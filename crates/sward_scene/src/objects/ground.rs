@@ -62,7 +62,7 @@ fn height_on([a, b, c]: [Vec3; 3], point: Vec2) -> Option<f32> {
     let (u, v) = (ap.perp_dot(ac) / area, ab.perp_dot(ap) / area);
     // A little slack, so that no point falls between two triangles.
     let inside = u >= -1e-4 && v >= -1e-4 && u + v <= 1.0 + 1e-4;
-    inside.then(|| a.y + u * (b.y - a.y) + v * (c.y - a.y))
+    inside.then_some(a.y + u * (b.y - a.y) + v * (c.y - a.y))
 }
 
 #[cfg(test)]
