@@ -237,13 +237,18 @@ impl Stage {
         Ok(self.renderer.simulate(&self.gpu.device, &self.gpu.queue, encoder, &frame)?)
     }
 
-    /// Records the opaque things, colour and depth, unless they are there already.
+    /// Records the depth of the opaque things, unless it is there already.
     pub fn encode_opaque(&mut self, encoder: &mut wgpu::CommandEncoder) {
         if self.depth_is_opaque {
             return;
         }
-        let mut pass = self.scene_pass(encoder, "sward.stage.opaque", true);
-        self.opaque.draw(&mut pass, &self.uniform);
+        let clear = wgpu::LoadOp::Clear(1.0);
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("sward.stage.depth"),
+            depth_stencil_attachment: Some(self.depth_attachment(clear)),
+            ..Default::default()
+        });
+        self.opaque.draw_depth(&mut pass, &self.uniform);
         drop(pass);
         self.depth_is_opaque = true;
     }
@@ -272,11 +277,22 @@ impl Stage {
         self.renderer.encode_stage(&self.gpu.device, encoder, stage, 0, &view);
     }
 
-    /// Records grass, then the sky where nothing is, then the resolve.
+    /// Records grass, then what shows of the opaque things and of the sky, then the resolve.
     pub fn encode_draw(&mut self, encoder: &mut wgpu::CommandEncoder) {
         self.encode_opaque(encoder);
-        let mut pass = self.scene_pass(encoder, "sward.stage.draw", false);
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("sward.stage.draw"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &self.targets.color,
+                depth_slice: None,
+                resolve_target: self.targets.resolved.as_ref(),
+                ops: wgpu::Operations::default(),
+            })],
+            depth_stencil_attachment: Some(self.depth_attachment(wgpu::LoadOp::Load)),
+            ..Default::default()
+        });
         self.renderer.draw(&mut pass, 0);
+        self.opaque.draw_color(&mut pass, &self.uniform);
         self.passes.draw_sky(&mut pass, &self.uniform);
         drop(pass);
         self.depth_is_opaque = false;
@@ -287,32 +303,15 @@ impl Stage {
         self.passes.run_post(encoder, &self.uniform, &self.targets);
     }
 
-    fn scene_pass<'a>(
+    fn depth_attachment(
         &self,
-        encoder: &'a mut wgpu::CommandEncoder,
-        label: &str,
-        first: bool,
-    ) -> wgpu::RenderPass<'a> {
-        let (color, depth) = match first {
-            true => (wgpu::LoadOp::Clear(wgpu::Color::BLACK), wgpu::LoadOp::Clear(1.0)),
-            false => (wgpu::LoadOp::Load, wgpu::LoadOp::Load),
-        };
-        let resolve_target = self.targets.resolved.as_ref().filter(|_| !first);
-        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some(label),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &self.targets.color,
-                depth_slice: None,
-                resolve_target,
-                ops: wgpu::Operations { load: color, store: wgpu::StoreOp::Store },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &self.targets.depth,
-                depth_ops: Some(wgpu::Operations { load: depth, store: wgpu::StoreOp::Store }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        })
+        load: wgpu::LoadOp<f32>,
+    ) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+        wgpu::RenderPassDepthStencilAttachment {
+            view: &self.targets.depth,
+            depth_ops: Some(wgpu::Operations { load, store: wgpu::StoreOp::Store }),
+            stencil_ops: None,
+        }
     }
 
     fn matrices(&self) -> CameraMatrices {

@@ -1,4 +1,5 @@
-//! The opaque pass: the scene's things, colour and depth.
+//! The scene's opaque things, twice: their depth before the grass, which is culled by it, and their
+//! colour after, so that ground under the grass is not shaded.
 
 use super::frame::FrameUniform;
 use super::meshes::{self, GpuMesh, GpuPlacement, VERTEX_BUFFERS};
@@ -9,7 +10,8 @@ use sward_scene::Scene;
 /// Draws objects and visible spheres.
 #[derive(Debug)]
 pub(super) struct Opaque {
-    pipeline: wgpu::RenderPipeline,
+    depth: wgpu::RenderPipeline,
+    color: wgpu::RenderPipeline,
     objects: Vec<GpuMesh>,
     spheres: Option<GpuMesh>,
     placed: Vec<GpuPlacement>,
@@ -33,8 +35,8 @@ impl Opaque {
         let spheres = (!placed.is_empty()).then(|| {
             GpuMesh::new(&gpu.device, &meshes::unit_sphere(), &placed, uploader.upload(None))
         });
-        let pipeline = pipeline(&gpu.device, &frame.layout, &layout, samples);
-        Self { pipeline, objects, spheres, placed }
+        let make = |colored| pipeline(&gpu.device, &frame.layout, &layout, samples, colored);
+        Self { depth: make(false), color: make(true), objects, spheres, placed }
     }
 
     /// Moves the spheres; says whether any has moved.
@@ -47,8 +49,23 @@ impl Opaque {
         moved
     }
 
-    pub fn draw(&self, pass: &mut wgpu::RenderPass, frame: &FrameUniform) {
-        pass.set_pipeline(&self.pipeline);
+    /// Fills the depth.
+    pub fn draw_depth(&self, pass: &mut wgpu::RenderPass, frame: &FrameUniform) {
+        self.draw(pass, frame, &self.depth);
+    }
+
+    /// Colours what of it still shows.
+    pub fn draw_color(&self, pass: &mut wgpu::RenderPass, frame: &FrameUniform) {
+        self.draw(pass, frame, &self.color);
+    }
+
+    fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass,
+        frame: &FrameUniform,
+        pipeline: &wgpu::RenderPipeline,
+    ) {
+        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &frame.group, &[]);
         for mesh in self.objects.iter().chain(&self.spheres) {
             pass.set_bind_group(1, &mesh.texture, &[]);
@@ -62,6 +79,7 @@ fn pipeline(
     frame: &wgpu::BindGroupLayout,
     texture: &wgpu::BindGroupLayout,
     samples: u32,
+    colored: bool,
 ) -> wgpu::RenderPipeline {
     let label = "sward.stage.opaque";
     let shader =
@@ -84,13 +102,13 @@ fn pipeline(
         primitive: Default::default(),
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH_FORMAT,
-            depth_write_enabled: Some(true),
-            depth_compare: Some(wgpu::CompareFunction::Less),
+            depth_write_enabled: Some(!colored),
+            depth_compare: Some(wgpu::CompareFunction::LessEqual),
             stencil: Default::default(),
             bias: Default::default(),
         }),
         multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
-        fragment: Some(wgpu::FragmentState {
+        fragment: colored.then_some(wgpu::FragmentState {
             module: &shader,
             entry_point: Some("opaque_fragment"),
             compilation_options: Default::default(),

@@ -17,7 +17,8 @@ struct VertexIn {
 }
 
 struct Surfel {
-    @builtin(position) position: vec4<f32>,
+    // The depth pass and the colour pass must agree to the last bit
+    @builtin(position) @invariant position: vec4<f32>,
     @location(0) world: vec3<f32>,
     @location(1) normal: vec3<f32>,
     @location(2) uv: vec2<f32>,
