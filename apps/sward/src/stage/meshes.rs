@@ -149,19 +149,23 @@ pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
     }
 }
 
-/// Mean over the species of the fields on an object, by their shares. Tips count for two thirds:
-/// they hide the roots.
+/// How bright a canopy is beside a flat ground of its colour: blades shade each other.
+const CANOPY_SHADE: f32 = 0.6;
+
+/// Mean over the species of the fields on an object, by the area of their blades. Tips count for
+/// two thirds: they hide the roots.
 fn mean_grass_color(scene: &Scene, object: usize) -> [f32; 3] {
     let mut sum = Vec3::ZERO;
-    let mut shares = 0.0_f32;
+    let mut area = 0.0_f32;
     for species in scene.fields.iter().filter(|f| f.object == object).flat_map(|f| &f.desc.species)
     {
         let mean = |range: &ColorRange| (Vec3::from(range.from) + Vec3::from(range.to)) * 0.5;
         let color = mean(&species.root_color).lerp(mean(&species.tip_color), 2.0 / 3.0);
-        sum += color * species.share;
-        shares += species.share;
+        let own = species.share * species.height_m.at(0.5) * species.width_m.at(0.5);
+        sum += color * own;
+        area += own;
     }
-    (sum / shares.max(f32::MIN_POSITIVE)).into()
+    (sum * CANOPY_SHADE / area.max(f32::MIN_POSITIVE)).into()
 }
 
 /// A unit sphere of latitudes and longitudes.

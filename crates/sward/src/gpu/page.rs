@@ -6,7 +6,7 @@ use super::layout::{
     BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuPatch, GpuSpecies, GpuView,
     MAX_SPECIES, NEAR_STRIDE, TICKS_PER_SECOND,
 };
-use super::quantize::{gpu_patch, gpu_species, pack_blade};
+use super::quantize::{gpu_patch, gpu_species, leaf_area_index, pack_blade};
 use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
 use crate::renderer::Layouts;
 use crate::{Field, PhysicsModel, Species};
@@ -90,8 +90,9 @@ fn first_bands(count: usize, ticks: u32) -> Vec<GpuBand> {
     vec![GpuBand { ticks: asleep, ..GpuBand::zeroed() }; count]
 }
 
-fn species_table(species: &[Species]) -> Vec<GpuSpecies> {
-    let mut table: Vec<_> = species.iter().map(gpu_species).collect();
+fn species_table(field: &Field) -> Vec<GpuSpecies> {
+    let leaf_area = leaf_area_index(field.blades(), field.patches());
+    let mut table: Vec<_> = field.species().iter().map(|s| gpu_species(s, leaf_area)).collect();
     table.resize(MAX_SPECIES, GpuSpecies::zeroed());
     table
 }
@@ -143,7 +144,7 @@ impl Page {
         let data = |label, content: &[u8], usage| filled(device, label, content, usage);
         let store = |label, bytes| storage(device, label, bytes, BufferUsages::empty());
         let field_uniform = data("sward.field", bytemuck::bytes_of(&counts), BufferUsages::UNIFORM);
-        let table = species_table(field.species());
+        let table = species_table(field);
         let species = data("sward.species", bytemuck::cast_slice(&table), BufferUsages::UNIFORM);
         let blades =
             data("sward.blades", bytemuck::cast_slice(&packed.blades), BufferUsages::STORAGE);

@@ -133,8 +133,27 @@ fn outline_area(shape: Shape, segments: u32) -> f32 {
 /// Segments of each level.
 pub const SEGMENTS: [u32; 4] = [8, 4, 2, 1];
 
-/// A species' table entry.
-pub fn gpu_species(species: &Species) -> GpuSpecies {
+/// Area of blades over an area of ground, of a whole field: its leaf area index.
+pub fn leaf_area_index(blades: &[Blade], patches: &[Patch]) -> f32 {
+    let leaves: f32 = blades.iter().map(|b| 0.75 * b.height * b.width).sum();
+    let ground: f32 = patches
+        .iter()
+        .map(|patch| {
+            let size = patch.root_max - patch.root_min;
+            // Its two longest sides: the third is the ground's relief
+            size.x * size.y * size.z / size.min_element().max(1e-6)
+        })
+        .sum();
+    leaves / ground.max(1e-6)
+}
+
+/// Share of the sky that reaches the roots (Beer-Lambert), where blades stand every way.
+fn root_openness(leaf_area_index: f32) -> f32 {
+    (-0.8 * leaf_area_index).exp().clamp(0.12, 0.85)
+}
+
+/// A species' table entry, in a field of that leaf area index.
+pub fn gpu_species(species: &Species, leaf_area_index: f32) -> GpuSpecies {
     let range = |r: Range| [r.min, r.max - r.min];
     let full = outline_area(species.shape, 256);
     let (shape, tip) = match species.shape {
@@ -153,7 +172,7 @@ pub fn gpu_species(species: &Species) -> GpuSpecies {
         arch: species.arch,
         first_bucket: if has_flat_tip(species) { 4 } else { 0 },
         reserved: 0,
-        form: [species.ridge, tip, 0.0, shape],
+        form: [species.ridge, tip, root_openness(leaf_area_index), shape],
         area_scale: SEGMENTS.map(|n| full / outline_area(species.shape, n)),
         colors: [root.from, root.to, top.from, top.to].map(pack_color),
     }

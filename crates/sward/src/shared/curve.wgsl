@@ -10,6 +10,12 @@ fn safe_normalize(v: vec3<f32>, fallback: vec3<f32>) -> vec3<f32> {
     return scaled / sqrt(dot(scaled, scaled));
 }
 
+// The same for vectors of about unit size, which need no scaling.
+fn unit_or(v: vec3<f32>, fallback: vec3<f32>) -> vec3<f32> {
+    let square = dot(v, v);
+    return select(fallback, v * inverseSqrt(max(square, 1e-12)), square > 1e-12);
+}
+
 // By the bits: a compiler may assume that no NaN exists and fold `x != x`.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;

@@ -30,7 +30,7 @@ struct GpuSpecies {
     // First bucket of its topology: 0 pointed, 4 flat tip
     first_bucket: u32,
     reserved: u32,
-    // Ridge; where the taper of a triangle-tip begins; unused; shape: 0 quad, 1 triangle,
+    // Ridge; where the taper of a triangle-tip begins; light at the roots; shape: 0 quad, 1 triangle,
     // 2 quadratic, 3 triangle-tip
     form: vec4<f32>,
     // Per level: width factor that keeps the outline's area when it is drawn with few segments

@@ -99,6 +99,7 @@ struct BladePoint {
     albedo: vec3<f32>,
     up: vec3<f32>,
     height_share: f32,
+    root_open: f32,
     // Beyond the end of the list
     hidden: bool,
 }
@@ -126,9 +127,9 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     let b = mix(knee, state.tip, corner.v);
     let bend = state.tip - 2.0 * knee;
     let center = blade.root + (mix(a, b, corner.v) + bend * ring.bend) * blade.height;
-    let along = safe_normalize(b - a, safe_normalize(knee, blade.up));
+    let along = unit_or(b - a, blade.up);
     let flat_side = cross(blade.up, blade.facing);
-    let side = safe_normalize(flat_side - along * dot(flat_side, along), flat_side);
+    let side = unit_or(flat_side - along * dot(flat_side, along), flat_side);
     var normal = cross(side, along);
 
     let distance = distance_to(blade.root + blade.up * (0.5 * blade.height));
@@ -153,6 +154,8 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     out.normal = normal + side * ((corner.u - 0.5) * 1.4 * form.x);
     out.albedo = blade_color(blade, corner.v);
     out.up = blade.up;
-    out.height_share = corner.v;
+    out.root_open = form.z;
+    // A blade at rest runs so along its curve parameter
+    out.height_share = corner.v * (2.0 - corner.v);
     return out;
 }

@@ -8,6 +8,7 @@ struct NearVertex {
     @location(2) position: vec3<f32>,
     @location(3) height_share: f32,
     @location(4) @interpolate(flat) up: vec3<f32>,
+    @location(5) @interpolate(flat) root_open: f32,
 }
 
 struct FarVertex {
@@ -22,9 +23,10 @@ fn lit(point: BladePoint) -> vec3<f32> {
     let to_eye = safe_normalize(view.eye.xyz - point.position, point.up);
     var surface: BladeSurface;
     surface.albedo = point.albedo;
-    surface.normal = safe_normalize(point.normal, point.up);
+    surface.normal = unit_or(point.normal, point.up);
     surface.up = point.up;
     surface.height_share = point.height_share;
+    surface.root_open = point.root_open;
     return with_haze(shade_blade(surface, to_eye), distance_to(point.position));
 }
 
@@ -45,6 +47,7 @@ fn vs_near(
     out.position = point.position;
     out.height_share = point.height_share;
     out.up = point.up;
+    out.root_open = point.root_open;
     return out;
 }
 
@@ -56,6 +59,7 @@ fn fs_near(in: NearVertex) -> @location(0) vec4<f32> {
     point.albedo = in.albedo;
     point.up = in.up;
     point.height_share = in.height_share;
+    point.root_open = in.root_open;
     return vec4<f32>(lit(point), 1.0);
 }
 

@@ -8,17 +8,19 @@ struct BladeSurface {
     up: vec3<f32>,
     // 0 root, 1 tip
     height_share: f32,
+    // Share of the sky that reaches the roots
+    root_open: f32,
 }
 
 // Share of the sky that the canopy lets through to a height in it.
-fn canopy_open(height_share: f32) -> f32 {
+fn canopy_open(height_share: f32, root_open: f32) -> f32 {
     let t = clamp(height_share, 0.0, 1.0);
-    return mix(0.16, 1.0, t * (1.6 - 0.6 * t));
+    return mix(root_open, 1.0, t * (1.6 - 0.6 * t));
 }
 
 fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
     let to_sun = frame.to_sun.xyz;
-    let open = canopy_open(surface.height_share);
+    let open = canopy_open(surface.height_share, surface.root_open);
     let facing_sun = dot(surface.normal, to_sun);
     let reflected = max(facing_sun, 0.0);
     // Light through the leaf is yellower than light off it, and strongest against the sun
@@ -30,8 +32,8 @@ fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
     color += leaf * sun_light * through * (0.30 + 0.35 * against);
     let half_vector = to_sun + to_eye;
     let h = half_vector * inverseSqrt(max(dot(half_vector, half_vector), 1e-6));
-    let gloss = pow(max(dot(surface.normal, h), 0.0), 24.0);
-    color += sun_light * gloss * 0.018;
+    let gloss = pow(max(dot(surface.normal, h), 0.0), 14.0);
+    color += sun_light * gloss * 0.05;
     let upward = 0.5 + 0.5 * dot(surface.normal, surface.up);
     let around = mix(frame.ground.rgb, frame.sky.rgb, upward);
     return color + surface.albedo * around * open;

@@ -12,6 +12,9 @@ fn wind_axes(source: GpuWindSource, position: vec3<f32>) -> vec2<f32> {
 
 // Crests that wander and break: noise that travels with them shifts their phase and fades them.
 fn wave_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec2<f32> {
+    if source.strength.y == 0.0 {
+        return source.direction * source.strength.x;
+    }
     let at = wind_axes(source, position);
     let travelled = source.phase.x - source.rate * seconds_ago;
     // A cell of the noise is as long and as wide as four crests.
