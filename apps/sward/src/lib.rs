@@ -5,3 +5,8 @@ pub mod compare;
 pub mod gpu;
 pub mod grow;
 pub mod stage;
+
+/// The program in the project's README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

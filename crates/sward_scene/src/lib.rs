@@ -166,3 +166,8 @@ impl Scene {
         self.spheres.iter().filter_map(|sphere| sphere.at(time_s)).collect()
     }
 }
+
+/// The README's program compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
