@@ -155,7 +155,10 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     out.albedo = blade_color(blade, corner.v);
     out.up = blade.up;
     out.root_open = form.z;
-    // A blade at rest runs so along its curve parameter
-    out.height_share = corner.v * (2.0 - corner.v);
+    // A blade at rest runs so along its curve parameter. One that lies over its neighbours is in the
+    // light along its length: so a gust shows as it passes
+    let at_rest = corner.v * (2.0 - corner.v);
+    let flat_tip = state.tip - blade.up * dot(state.tip, blade.up);
+    out.height_share = at_rest + (1.0 - at_rest) * 0.7 * min(dot(flat_tip, flat_tip), 1.0);
     return out;
 }

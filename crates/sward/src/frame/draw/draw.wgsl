@@ -1,19 +1,21 @@
 // Blades: near ones are lit at each pixel, far ones at their vertices, of which they have fewer than
 // pixels are shaded where blades lie over each other.
 
+// At the centroid of the covered samples: at a pixel's centre, which a sliver may miss by many of
+// its own widths, a colour would be extrapolated to white or black.
 struct NearVertex {
     @builtin(position) clip: vec4<f32>,
-    @location(0) normal: vec3<f32>,
-    @location(1) albedo: vec3<f32>,
-    @location(2) position: vec3<f32>,
-    @location(3) height_share: f32,
+    @location(0) @interpolate(perspective, centroid) normal: vec3<f32>,
+    @location(1) @interpolate(perspective, centroid) albedo: vec3<f32>,
+    @location(2) @interpolate(perspective, centroid) position: vec3<f32>,
+    @location(3) @interpolate(perspective, centroid) height_share: f32,
     @location(4) @interpolate(flat) up: vec3<f32>,
     @location(5) @interpolate(flat) root_open: f32,
 }
 
 struct FarVertex {
     @builtin(position) clip: vec4<f32>,
-    @location(0) color: vec3<f32>,
+    @location(0) @interpolate(perspective, centroid) color: vec3<f32>,
 }
 
 // Behind the near plane.
@@ -77,5 +79,5 @@ fn vs_far(
 
 @fragment
 fn fs_far(in: FarVertex) -> @location(0) vec4<f32> {
-    return vec4<f32>(in.color, 1.0);
+    return vec4<f32>(max(in.color, vec3<f32>(0.0)), 1.0);
 }
