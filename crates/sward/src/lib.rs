@@ -88,6 +88,9 @@ pub mod species;
 pub mod statistics;
 pub mod view;
 
+#[cfg(test)]
+mod pipeline_tests;
+
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
 pub use frame::wind::{Gusts, Waves, Wind, WindSource};

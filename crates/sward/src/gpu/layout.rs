@@ -11,7 +11,7 @@
 //!
 //! # Its 8 dynamic bytes
 //! Direction of the tip in the blade's own frame (24 + 24 bits, half octahedral) and crush (16 bits
-//! over 0..2). `PhysicsModel::Paper` keeps a length as well: 17 + 17 + 14 + 16.
+//! over 0..2, rounded up or down by turns so that the error of many small steps does not add up). `PhysicsModel::Paper` keeps a length as well: 17 + 17 + 14 + 16.
 //!
 //! # What else grows with the blades
 //! Per blade 4 bytes of draw list and 2 of decisions; per 64 blades 48 bytes of clocks, counts and

@@ -94,8 +94,11 @@ fn structs() -> Vec<Expected> {
     ]
 }
 
-/// Members (name, offset) and span of each struct of a module.
-fn shader_structs(shader: Shader) -> Vec<(String, usize, Vec<(String, usize)>)> {
+/// Name, span, members (name, offset).
+type ShaderStruct = (String, usize, Vec<(String, usize)>);
+
+/// Every struct of a module.
+fn shader_structs(shader: Shader) -> Vec<ShaderStruct> {
     let module =
         naga::front::wgsl::parse_str(&shader.source()).expect("valid, as another test shows");
     module

@@ -13,4 +13,6 @@ pub mod view;
 #[cfg(test)]
 mod layout_tests;
 #[cfg(test)]
+pub(crate) mod state_twin;
+#[cfg(test)]
 pub(crate) mod test_device;

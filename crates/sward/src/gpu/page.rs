@@ -33,6 +33,9 @@ pub struct ViewLists {
     pub indirect: wgpu::Buffer,
     /// Failed tests.
     pub counted: wgpu::Buffer,
+    /// The list, for tests.
+    #[cfg(test)]
+    pub list: wgpu::Buffer,
     /// Group 2 of patch culling.
     pub cull: wgpu::BindGroup,
     /// Group 2 of the update.
@@ -53,15 +56,20 @@ pub struct Page {
     pub field: GpuField,
     /// Whether a species has a pointed, or a flat tip.
     pub topologies: [bool; 2],
-    dynamics: wgpu::Buffer,
-    bands: wgpu::Buffer,
-    near: wgpu::Buffer,
-    work: wgpu::Buffer,
+    /// Packed dynamic states.
+    pub dynamics: wgpu::Buffer,
+    /// `GpuBand` by 64 blades.
+    pub bands: wgpu::Buffer,
+    /// Spheres near each patch: a count, then indices.
+    pub near: wgpu::Buffer,
+    /// Patches at work, and how many of their blades.
+    pub work: wgpu::Buffer,
     /// Arguments of the dispatch over `work`, then counts.
     pub work_size: wgpu::Buffer,
     /// What `work_size` is reset to.
     pub work_reset: wgpu::Buffer,
-    decisions: wgpu::Buffer,
+    /// Bucket, morph and fade of each blade, two a word.
+    pub decisions: wgpu::Buffer,
     blocks: wgpu::Buffer,
     /// Group 1 of the compute stages.
     pub group: wgpu::BindGroup,
@@ -265,17 +273,13 @@ impl Page {
             compact: bind("sward.compact", &layouts.compact, &compact),
             draw: bind("sward.draw", &layouts.draw, &[&view, &list, &draws]),
             bytes: list.size(),
+            #[cfg(test)]
+            list,
             view,
             draws,
             indirect,
             counted,
         }
-    }
-
-    /// The packed dynamic states, for tests.
-    #[cfg(test)]
-    pub fn dynamics(&self) -> &wgpu::Buffer {
-        &self.dynamics
     }
 }
 

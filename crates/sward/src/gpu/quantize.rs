@@ -28,6 +28,7 @@ fn oct_encode(v: Vec3) -> Vec2 {
     Vec2::new((1.0 - e.y.abs()) * sign(e.x), (1.0 - e.x.abs()) * sign(e.y))
 }
 
+#[cfg(test)]
 fn oct_decode(e: Vec2) -> Vec3 {
     let y = 1.0 - e.x.abs() - e.y.abs();
     let fold = (-y).max(0.0);
@@ -39,6 +40,7 @@ fn snorm16(x: f32) -> u32 {
     u32::from((x.clamp(-1.0, 1.0) * 32767.0).round() as i16 as u16)
 }
 
+#[cfg(test)]
 fn from_snorm16(bits: u32) -> f32 {
     (f32::from(bits as u16 as i16) / 32767.0).max(-1.0)
 }
@@ -77,6 +79,7 @@ pub fn pack_blade(blade: &Blade, patch: &Patch, species: &Species) -> [u32; 4] {
 }
 
 /// The blade that the shaders see: the twin of `unpack_blade` in field.wgsl.
+#[cfg(test)]
 pub fn unpack_blade(words: [u32; 4], patch: &Patch, species: &[Species]) -> Blade {
     let (origin, edge) = patch_cube(patch);
     let q =

@@ -56,7 +56,9 @@ pub fn gpu_view(view: &View, capacity: u32) -> Result<GpuView, Error> {
     if view.size.contains(&0) {
         return Err(Error::setting("view.size", "must be at least 1 x 1 pixels"));
     }
-    if !(view.detail > 0.0) || !(view.culling.max_distance_m > 0.0) {
+    // NaN is not above 0 either
+    let above_zero = |x: f32| x > 0.0;
+    if !above_zero(view.detail) || !above_zero(view.culling.max_distance_m) {
         return Err(Error::setting("view", "detail and max_distance_m must be above 0"));
     }
     let clip = view.clip_from_view;

@@ -1,7 +1,8 @@
 // The dynamic state in 8 bytes. The direction of the tip is kept in the blade's own frame, where
 // the upper half space suffices: a tip is never under its root plane.
 
-const CRUSH_STEP: f32 = 2.0 / 65535.0;
+// A power of two, so that what is unpacked packs to the same bits.
+const CRUSH_STEP: f32 = 1.0 / 32768.0;
 
 fn to_local(blade: Blade, v: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(dot(v, cross(blade.up, blade.facing)), dot(v, blade.up), dot(v, blade.facing));
@@ -26,8 +27,17 @@ fn to_bits(x: f32, half_range: f32) -> u32 {
     return u32(i32(round(clamp(x, -1.0, 1.0) * half_range)) + i32(half_range));
 }
 
+// A frame takes some dozen steps off the crush. Rounded the same way each frame, the error would
+// add up; so the place where it is rounded changes from frame to frame, evenly.
+fn crush_bits(crush: f32) -> u32 {
+    let x = clamp(crush / CRUSH_STEP, 0.0, 65535.0);
+    let whole = floor(x);
+    let threshold = f32((frame.step * 2654435769u) >> 8u) / 16777216.0;
+    return u32(whole) + select(0u, 1u, x - whole > threshold);
+}
+
 fn pack_state(blade: Blade, state: BladeState) -> vec2<u32> {
-    let crush = u32(round(clamp(state.crush, 0.0, 2.0) / CRUSH_STEP));
+    let crush = crush_bits(state.crush);
     let length = sqrt(dot(state.tip, state.tip));
     var v = to_local(blade, state.tip);
     if !(length > 1e-6) {

@@ -36,7 +36,7 @@ fn distance_to(view: &GpuView, p: Vec3) -> f32 {
     p.distance(Vec4::from(view.eye).truncate())
 }
 
-fn pixels_per_metre(view: &GpuView, distance: f32) -> f32 {
+pub(crate) fn pixels_per_metre(view: &GpuView, distance: f32) -> f32 {
     view.focal / if view.eye[3] > 0.5 { distance.max(0.01) } else { 1.0 }
 }
 

@@ -36,7 +36,7 @@ fn pipeline(
     ];
     // The first level is near, the others far
     let (vertex, fragment) =
-        if bucket % 4 == 0 { ("vs_near", "fs_near") } else { ("vs_far", "fs_far") };
+        if bucket.is_multiple_of(4) { ("vs_near", "fs_near") } else { ("vs_far", "fs_far") };
     let options = wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("sward.draw"),
