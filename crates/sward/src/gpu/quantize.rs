@@ -136,6 +136,12 @@ fn outline_area(shape: Shape, segments: u32) -> f32 {
 /// Segments of each level.
 pub const SEGMENTS: [u32; 4] = [8, 4, 2, 1];
 
+/// Mean width that a folded blade shows from all around, over that of a flat one: a convex outline
+/// shows its perimeter over pi (Cauchy). Levels without the ridge are wider by it.
+fn folded_width(ridge: f32) -> f32 {
+    (1.0 + (1.0 + ridge * ridge).sqrt()) / 2.0
+}
+
 /// Area of blades over an area of ground, of a whole field: its leaf area index.
 pub fn leaf_area_index(blades: &[Blade], patches: &[Patch]) -> f32 {
     let leaves: f32 = blades.iter().map(|b| 0.75 * b.height * b.width).sum();
@@ -176,7 +182,10 @@ pub fn gpu_species(species: &Species, leaf_area_index: f32) -> GpuSpecies {
         first_bucket: if has_flat_tip(species) { 4 } else { 0 },
         reserved: 0,
         form: [species.ridge, tip, root_openness(leaf_area_index), shape],
-        area_scale: SEGMENTS.map(|n| full / outline_area(species.shape, n)),
+        area_scale: std::array::from_fn(|level| {
+            let lost = if level <= 1 { 1.0 } else { folded_width(species.ridge) };
+            lost * full / outline_area(species.shape, SEGMENTS[level])
+        }),
         colors: [root.from, root.to, top.from, top.to].map(pack_color),
     }
 }

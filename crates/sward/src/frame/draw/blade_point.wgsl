@@ -143,7 +143,7 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     var position = center + side * ((t - 0.5) * width);
     if RING == 3u {
         // Equation 23, flattening as it turns into the level without a ridge
-        let lift = form.x * (1.0 - morph) * ring.share;
+        let lift = form.x * select(1.0 - morph, 1.0, BUCKET % 4u == 0u) * ring.share;
         position += normal * (width * lift * (0.5 - abs(corner.u - 0.5)));
     }
     if dot(normal, view.eye.xyz - position) < 0.0 {

@@ -23,7 +23,7 @@ impl Topology {
         let level = bucket % 4;
         Self {
             segments: SEGMENTS[level],
-            ring: if level == 0 { 3 } else { 2 },
+            ring: if level <= 1 { 3 } else { 2 },
             flat_tip: bucket >= 4,
         }
     }

@@ -1,10 +1,10 @@
 // Levels of detail: 8, 4, 2, 1 segments, and thinning.
 
-// Projected height in pixels above which a level keeps its segments; a third for each next level.
-const FULL_DETAIL_PX: f32 = 540.0;
+// Projected height in pixels that four times over begins the first level; each next begins at a quarter.
+const FULL_DETAIL_PX: f32 = 480.0;
 const LEVELS: u32 = 4u;
 // The last share of a level over which it turns into the next.
-const MORPH_SHARE: f32 = 0.5;
+const MORPH_SHARE: f32 = 0.3;
 // Share of the kept that shrink before they go (Cook et al. 2007).
 const FADE_SHARE: f32 = 0.3;
 
@@ -15,7 +15,7 @@ struct Level {
 }
 
 fn choose_level(height_px: f32) -> Level {
-    let x = clamp(log2(FULL_DETAIL_PX / max(height_px, 1e-3)) / log2(3.0), 0.0, 3.999);
+    let x = clamp(0.5 * log2(FULL_DETAIL_PX / max(height_px, 1e-3)), 0.0, 3.999);
     let index = min(u32(x), LEVELS - 1u);
     let t = clamp((x - f32(index) - (1.0 - MORPH_SHARE)) / MORPH_SHARE, 0.0, 1.0);
     return Level(index, select(t * t * (3.0 - 2.0 * t), 0.0, index == LEVELS - 1u));

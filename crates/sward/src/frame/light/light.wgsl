@@ -26,20 +26,25 @@ fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
     // Light through the leaf is yellower than light off it, and strongest against the sun
     let through = max(-facing_sun, 0.0);
     let leaf = surface.albedo * vec3<f32>(1.15, 1.2, 0.55);
-    let against = pow(max(dot(-to_eye, to_sun), 0.0), 4.0);
+    let toward = max(dot(-to_eye, to_sun), 0.0);
+    let against = toward * toward * toward * toward;
     let sun_light = frame.sun.rgb * (open * open);
     var color = surface.albedo * sun_light * reflected * 0.32;
     color += leaf * sun_light * through * (0.30 + 0.35 * against);
     let half_vector = to_sun + to_eye;
     let h = half_vector * inverseSqrt(max(dot(half_vector, half_vector), 1e-6));
-    let gloss = pow(max(dot(surface.normal, h), 0.0), 14.0);
-    color += sun_light * gloss * 0.05;
+    let shine = max(dot(surface.normal, h), 0.0);
+    let shine4 = shine * shine * shine * shine;
+    color += sun_light * (shine4 * shine4 * shine4 * 0.05);
     let upward = 0.5 + 0.5 * dot(surface.normal, surface.up);
     let around = mix(frame.ground.rgb, frame.sky.rgb, upward);
     return color + surface.albedo * around * open;
 }
 
 fn with_haze(color: vec3<f32>, distance: f32) -> vec3<f32> {
+    if frame.haze.w == 0.0 {
+        return color;
+    }
     let clear = exp(-frame.haze.w * distance);
     return mix(frame.haze.rgb, color, clear);
 }
