@@ -113,17 +113,8 @@ impl Renderer {
     /// [`Error::Limit`] where it does not fit the device.
     pub fn add_field(&mut self, device: &wgpu::Device, field: &Field) -> Result<(), Error> {
         let available = device.limits();
-        let most = limits::max_blades(&available, field.patch_size());
         let count = field.blades().len() as u64;
-        if count > most {
-            return Err(Error::Limit {
-                what: format!("a field of {count} blades"),
-                limit: "max_storage_buffer_binding_size",
-                needed: count.div_ceil(limits::MAX_PAGES_OF_A_FIELD) * 16,
-                available: available.max_storage_buffer_binding_size,
-                remedy: format!("{most} blades fit: lower the density"),
-            });
-        }
+        limits::check_field(&available, field.patch_size(), count)?;
         let patches_a_page = (limits::page_blades(&available, field.patch_size())
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
@@ -169,7 +160,7 @@ impl Renderer {
         for index in 0..self.pages.len() {
             self.ensure_view(device, index, 0, None);
             let page = &self.pages[index];
-            encoder.copy_buffer_to_buffer(&page.work_reset, 0, &page.work_size, 0, 32);
+            page.reset_all_work(encoder);
             let mut pass = begin(encoder, "sward.collide");
             pass.set_bind_group(0, self.inputs.group(), &[]);
             pass.set_bind_group(1, &page.group, &[]);
@@ -250,7 +241,7 @@ impl Renderer {
         for page in &self.pages {
             let Some(lists) = page.views.get(index) else { continue };
             if stage == Stage::PatchCull {
-                encoder.copy_buffer_to_buffer(&page.work_reset, 0, &page.work_size, 0, 32);
+                page.reset_view_work(encoder);
             }
             let mut pass = begin(encoder, "sward.frame");
             pass.set_bind_group(0, self.inputs.group(), &[]);
