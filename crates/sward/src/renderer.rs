@@ -141,13 +141,14 @@ impl Renderer {
         encoder: &mut wgpu::CommandEncoder,
         frame: &Frame,
     ) -> Result<(), Error> {
+        inputs::check(device, frame)?;
         if frame.physics != self.model {
             self.model = frame.physics;
             self.pages.iter().for_each(|page| page.reset(queue, self.model, self.clock.ticks()));
         }
         let dt_s = self.clock.advance(frame.dt_s);
         let inputs = &mut self.inputs;
-        let spheres = inputs.write(device, encoder, &self.layouts, frame, &self.clock, dt_s)?;
+        let spheres = inputs.write(device, encoder, &self.layouts, frame, &self.clock, dt_s);
         if spheres || self.had_spheres {
             self.wake_touched(device, encoder);
         }
@@ -293,11 +294,26 @@ impl Renderer {
     pub fn gpu_bytes(&self) -> u64 {
         self.pages.iter().map(|page| page.bytes() + page.list_bytes()).sum()
     }
+}
 
-    /// The pages, for tests.
-    #[cfg(test)]
+#[cfg(test)]
+impl Renderer {
     pub(crate) fn pages(&self) -> &[Page] {
         &self.pages
+    }
+
+    pub(crate) fn layouts(&self) -> &Layouts {
+        &self.layouts
+    }
+
+    pub(crate) fn frame_group(&self) -> &wgpu::BindGroup {
+        self.inputs.group()
+    }
+
+    /// Forgets every field.
+    pub(crate) fn clear(&mut self) {
+        self.pages.clear();
+        self.totals = Statistics::default();
     }
 }
 
