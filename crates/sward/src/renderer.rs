@@ -310,6 +310,10 @@ impl Renderer {
         self.inputs.group()
     }
 
+    pub(crate) fn counts_in_flight(&self) -> bool {
+        self.read_back.in_flight()
+    }
+
     /// Forgets every field.
     pub(crate) fn clear(&mut self) {
         self.pages.clear();

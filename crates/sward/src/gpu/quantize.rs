@@ -9,7 +9,7 @@ use std::f32::consts::TAU;
 /// Two unit vectors perpendicular to a unit `up` and to each other; facing turns from the first to
 /// the second.
 pub fn tangent_frame(up: Vec3) -> (Vec3, Vec3) {
-    if up.y < -0.75 {
+    if up.y < -0.55 {
         let second = Vec3::new(0.0, up.z, -up.y).normalize_or(Vec3::Z);
         return (second.cross(up), second);
     }

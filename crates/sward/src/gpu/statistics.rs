@@ -113,6 +113,12 @@ impl ReadBack {
         });
     }
 
+    /// Whether counts are on their way.
+    #[cfg(test)]
+    pub fn in_flight(&self) -> bool {
+        self.slots.iter().any(|slot| slot.state.load(Ordering::Acquire) == PENDING)
+    }
+
     /// The newest counts that have arrived.
     pub fn collect(&mut self, vertices: &[u32; BUCKETS]) -> Option<Statistics> {
         self.slots.sort_by_key(|slot| slot.record);

@@ -163,14 +163,14 @@ fn the_shader_packs_states_as_the_reference() {
             // Up or down, by turns
             assert!((start.crush - gpu.crush).abs() < CRUSH_STEP, "{model:?}: {start:?} {gpu:?}");
         }
-        // A still blade creeps by the rounding of its frame alone: at 240 Hz and k = 0.35 that is
-        // held at 2e-4 h
+        // A still blade creeps by the rounding of its frame alone: in 8 frames by less than what
+        // a crushed blade recovers in a hundredth of one
         let mut last = passed.states.clone();
         for _ in 0..8 {
             last = pass(&mut rig, &last, model).states;
         }
         for (then, now) in passed.states.iter().zip(&last) {
-            assert!(then.tip.distance(now.tip) < 3e-6, "{model:?}: {then:?} {now:?}");
+            assert!(then.tip.distance(now.tip) < 5e-6, "{model:?}: {then:?} {now:?}");
             assert_eq!(then.crush, now.crush, "{model:?}");
         }
     }

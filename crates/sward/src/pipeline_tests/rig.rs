@@ -52,6 +52,10 @@ impl Rig {
         let result = record(&mut self.renderer, &gpu, &mut encoder);
         self.queue.submit([encoder.finish()]);
         self.device.poll(wgpu::PollType::wait_indefinitely()).expect("the work ends");
+        // Another test's thread may be the one that is told of the mapping
+        while self.renderer.counts_in_flight() {
+            std::thread::yield_now();
+        }
         self.statistics = self.renderer.statistics(&self.device);
         result
     }
