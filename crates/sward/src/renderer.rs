@@ -113,17 +113,8 @@ impl Renderer {
     /// [`Error::Limit`] where it does not fit the device.
     pub fn add_field(&mut self, device: &wgpu::Device, field: &Field) -> Result<(), Error> {
         let available = device.limits();
-        let most = limits::max_blades(&available, field.patch_size());
         let count = field.blades().len() as u64;
-        if count > most {
-            return Err(Error::Limit {
-                what: format!("a field of {count} blades"),
-                limit: "max_storage_buffer_binding_size",
-                needed: count.div_ceil(limits::MAX_PAGES_OF_A_FIELD) * 16,
-                available: available.max_storage_buffer_binding_size,
-                remedy: format!("{most} blades fit: lower the density"),
-            });
-        }
+        limits::check_field(&available, field.patch_size(), count)?;
         let patches_a_page = (limits::page_blades(&available, field.patch_size())
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
@@ -150,13 +141,14 @@ impl Renderer {
         encoder: &mut wgpu::CommandEncoder,
         frame: &Frame,
     ) -> Result<(), Error> {
+        inputs::check(device, frame)?;
         if frame.physics != self.model {
             self.model = frame.physics;
             self.pages.iter().for_each(|page| page.reset(queue, self.model, self.clock.ticks()));
         }
         let dt_s = self.clock.advance(frame.dt_s);
         let inputs = &mut self.inputs;
-        let spheres = inputs.write(device, encoder, &self.layouts, frame, &self.clock, dt_s)?;
+        let spheres = inputs.write(device, encoder, &self.layouts, frame, &self.clock, dt_s);
         if spheres || self.had_spheres {
             self.wake_touched(device, encoder);
         }
@@ -169,7 +161,7 @@ impl Renderer {
         for index in 0..self.pages.len() {
             self.ensure_view(device, index, 0, None);
             let page = &self.pages[index];
-            encoder.copy_buffer_to_buffer(&page.work_reset, 0, &page.work_size, 0, 32);
+            page.reset_all_work(encoder);
             let mut pass = begin(encoder, "sward.collide");
             pass.set_bind_group(0, self.inputs.group(), &[]);
             pass.set_bind_group(1, &page.group, &[]);
@@ -250,7 +242,7 @@ impl Renderer {
         for page in &self.pages {
             let Some(lists) = page.views.get(index) else { continue };
             if stage == Stage::PatchCull {
-                encoder.copy_buffer_to_buffer(&page.work_reset, 0, &page.work_size, 0, 32);
+                page.reset_view_work(encoder);
             }
             let mut pass = begin(encoder, "sward.frame");
             pass.set_bind_group(0, self.inputs.group(), &[]);
@@ -302,11 +294,30 @@ impl Renderer {
     pub fn gpu_bytes(&self) -> u64 {
         self.pages.iter().map(|page| page.bytes() + page.list_bytes()).sum()
     }
+}
 
-    /// The pages, for tests.
-    #[cfg(test)]
+#[cfg(test)]
+impl Renderer {
     pub(crate) fn pages(&self) -> &[Page] {
         &self.pages
+    }
+
+    pub(crate) fn layouts(&self) -> &Layouts {
+        &self.layouts
+    }
+
+    pub(crate) fn frame_group(&self) -> &wgpu::BindGroup {
+        self.inputs.group()
+    }
+
+    pub(crate) fn counts_in_flight(&self) -> bool {
+        self.read_back.in_flight()
+    }
+
+    /// Forgets every field.
+    pub(crate) fn clear(&mut self) {
+        self.pages.clear();
+        self.totals = Statistics::default();
     }
 }
 

@@ -6,7 +6,7 @@
 //! |---|---|---|---|
 //! | 0 | 16 + 16 | root x, y in the patch's cube | edge / 65535: 0.05 mm in a 3 m patch |
 //! | 1 | 16 + 8 + 8 | root z, species, response | response range / 255 |
-//! | 2 | 16 + 16 | up, octahedral | 0.003 degrees |
+//! | 2 | 16 + 16 | up, octahedral | 0.004 degrees |
 //! | 3 | 12 + 12 + 8 | facing, height, width | 0.09 degrees, height range / 4095, width range / 255 |
 //!
 //! # Its 8 dynamic bytes

@@ -57,6 +57,36 @@ pub fn page_blades(limits: &wgpu::Limits, patch_size: u32) -> u64 {
     (blades / size).max(1) * size
 }
 
+/// Checks that a field fits, and names what it does not fit.
+///
+/// # Errors
+/// [`Error::Limit`] with how many blades fit.
+pub fn check_field(limits: &wgpu::Limits, patch_size: u32, count: u64) -> Result<(), Error> {
+    let most = max_blades(limits, patch_size);
+    if count <= most {
+        return Ok(());
+    }
+    let patches = count.div_ceil(MAX_PAGES_OF_A_FIELD).div_ceil(u64::from(patch_size.max(1)));
+    let blades = patches * u64::from(patch_size);
+    let bytes = limits.max_storage_buffer_binding_size;
+    let groups = u64::from(limits.max_compute_workgroups_per_dimension);
+    let candidates = [
+        ("max_storage_buffer_binding_size", blades * 16, bytes),
+        ("max_buffer_size", blades * 16, limits.max_buffer_size),
+        ("max_compute_workgroups_per_dimension", patches, groups),
+        ("a draw list's range of indices", blades, PAGE_BLADES),
+    ];
+    let passed = candidates.into_iter().find(|(_, needed, available)| needed > available);
+    let (limit, needed, available) = passed.unwrap_or(candidates[0]);
+    Err(Error::Limit {
+        what: format!("a field of {count} blades"),
+        limit,
+        needed,
+        available,
+        remedy: format!("{most} blades fit: lower the density"),
+    })
+}
+
 /// Most blades that a field may have on a device: 16 pages of up to 4 million blades, fewer where
 /// `max_storage_buffer_binding_size` holds fewer (16 bytes a blade).
 pub fn max_blades(limits: &wgpu::Limits, patch_size: u32) -> u64 {

@@ -67,7 +67,7 @@ pub struct Page {
     /// Arguments of the dispatch over `work`, then counts.
     pub work_size: wgpu::Buffer,
     /// What `work_size` is reset to.
-    pub work_reset: wgpu::Buffer,
+    work_reset: wgpu::Buffer,
     /// Bucket, morph and fade of each blade, two a word.
     pub decisions: wgpu::Buffer,
     blocks: wgpu::Buffer,
@@ -195,6 +195,16 @@ impl Page {
             decisions,
             blocks,
         }
+    }
+
+    /// Empties the list of work and every count beside it.
+    pub fn reset_all_work(&self, encoder: &mut wgpu::CommandEncoder) {
+        encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, 32);
+    }
+
+    /// Empties the list of work for a view; the collider stage's count stays, to be reported.
+    pub fn reset_view_work(&self, encoder: &mut wgpu::CommandEncoder) {
+        encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, 20);
     }
 
     /// Blocks of the scan.

@@ -9,7 +9,7 @@ use std::f32::consts::TAU;
 /// Two unit vectors perpendicular to a unit `up` and to each other; facing turns from the first to
 /// the second.
 pub fn tangent_frame(up: Vec3) -> (Vec3, Vec3) {
-    if up.y < -0.99 {
+    if up.y < -0.55 {
         let second = Vec3::new(0.0, up.z, -up.y).normalize_or(Vec3::Z);
         return (second.cross(up), second);
     }
@@ -28,7 +28,6 @@ fn oct_encode(v: Vec3) -> Vec2 {
     Vec2::new((1.0 - e.y.abs()) * sign(e.x), (1.0 - e.x.abs()) * sign(e.y))
 }
 
-#[cfg(test)]
 fn oct_decode(e: Vec2) -> Vec3 {
     let y = 1.0 - e.x.abs() - e.y.abs();
     let fold = (-y).max(0.0);
@@ -40,7 +39,6 @@ fn snorm16(x: f32) -> u32 {
     u32::from((x.clamp(-1.0, 1.0) * 32767.0).round() as i16 as u16)
 }
 
-#[cfg(test)]
 fn from_snorm16(bits: u32) -> f32 {
     (f32::from(bits as u16 as i16) / 32767.0).max(-1.0)
 }
@@ -60,6 +58,19 @@ pub fn patch_cube(patch: &Patch) -> (Vec3, f32) {
     (patch.root_min, edge)
 }
 
+fn unpack_up(halves: [u32; 2]) -> Vec3 {
+    oct_decode(Vec2::from_array(halves.map(from_snorm16)))
+}
+
+/// The blade's facing as an angle about the quantised `up`: the tangent frame has a seam, and the
+/// two may lie on different sides of it.
+fn facing_about(up: Vec3, blade: &Blade) -> f32 {
+    let (first, second) = tangent_frame(blade.up);
+    let facing = first * blade.facing.cos() + second * blade.facing.sin();
+    let (first, second) = tangent_frame(up);
+    facing.dot(second).atan2(facing.dot(first))
+}
+
 /// The 16 static bytes of a blade.
 pub fn pack_blade(blade: &Blade, patch: &Patch, species: &Species) -> [u32; 4] {
     let (origin, edge) = patch_cube(patch);
@@ -67,13 +78,14 @@ pub fn pack_blade(blade: &Blade, patch: &Patch, species: &Species) -> [u32; 4] {
     let (x, y, z) = (q.x.round() as u32, q.y.round() as u32, q.z.round() as u32);
     let response = step_in(species.response, blade.response, 255.0);
     let up = oct_encode(blade.up);
-    let facing = (blade.facing / TAU * 4096.0).round() as i64 as u32 & 0xfff;
+    let up = [snorm16(up.x), snorm16(up.y)];
+    let facing = (facing_about(unpack_up(up), blade) / TAU * 4096.0).round() as i64 as u32 & 0xfff;
     let height = step_in(species.height_m, blade.height, 4095.0);
     let width = step_in(species.width_m, blade.width, 255.0);
     [
         x | y << 16,
         z | u32::from(blade.species) << 16 | response << 24,
-        snorm16(up.x) | snorm16(up.y) << 16,
+        up[0] | up[1] << 16,
         facing | height << 12 | width << 24,
     ]
 }
@@ -88,7 +100,7 @@ pub fn unpack_blade(words: [u32; 4], patch: &Patch, species: &[Species]) -> Blad
     let own = &species[usize::from(kind)];
     Blade {
         root: origin + q * (edge / 65535.0),
-        up: oct_decode(Vec2::new(from_snorm16(words[2] & 0xffff), from_snorm16(words[2] >> 16))),
+        up: unpack_up([words[2] & 0xffff, words[2] >> 16]),
         facing: (words[3] & 0xfff) as f32 * (TAU / 4096.0),
         height: own.height_m.at((words[3] >> 12 & 0xfff) as f32 / 4095.0),
         width: own.width_m.at((words[3] >> 24) as f32 / 255.0),

@@ -22,6 +22,21 @@ const READY: u8 = 2;
 struct Slot {
     buffer: wgpu::Buffer,
     state: Arc<AtomicU8>,
+    /// Number of the record that it holds.
+    record: u64,
+}
+
+impl Slot {
+    fn if_free(&mut self) -> Option<&mut Self> {
+        // No one else holds the state of an encoder that was dropped unsubmitted: its buffer will
+        // never map
+        if let Some(state) = Arc::get_mut(&mut self.state)
+            && *state.get_mut() == PENDING
+        {
+            *state.get_mut() = FREE;
+        }
+        (self.state.load(Ordering::Acquire) == FREE).then_some(self)
+    }
 }
 
 /// A few buffers on their way back.
@@ -29,6 +44,7 @@ struct Slot {
 pub struct ReadBack {
     slots: Vec<Slot>,
     bytes: u64,
+    records: u64,
     newest: Option<Statistics>,
 }
 
@@ -56,6 +72,7 @@ impl ReadBack {
                     mapped_at_creation: false,
                 }),
                 state: Arc::new(AtomicU8::new(FREE)),
+                record: 0,
             })
             .collect();
     }
@@ -75,8 +92,9 @@ impl ReadBack {
         if self.bytes != bytes {
             self.resize(device, bytes);
         }
-        let free = |slot: &&Slot| slot.state.load(Ordering::Acquire) == FREE;
-        let Some(slot) = self.slots.iter().find(free) else { return };
+        let Some(slot) = self.slots.iter_mut().find_map(Slot::if_free) else { return };
+        self.records += 1;
+        slot.record = self.records;
         for (page, offset) in pages.iter().zip((0..).step_by(PAGE_BYTES as usize)) {
             let mut at = offset;
             for (source, size) in [
@@ -95,8 +113,15 @@ impl ReadBack {
         });
     }
 
+    /// Whether counts are on their way.
+    #[cfg(test)]
+    pub fn in_flight(&self) -> bool {
+        self.slots.iter().any(|slot| slot.state.load(Ordering::Acquire) == PENDING)
+    }
+
     /// The newest counts that have arrived.
     pub fn collect(&mut self, vertices: &[u32; BUCKETS]) -> Option<Statistics> {
+        self.slots.sort_by_key(|slot| slot.record);
         for slot in &self.slots {
             if slot.state.load(Ordering::Acquire) != READY {
                 continue;

@@ -2,6 +2,11 @@
 
 /// The first adapter's device, with default limits.
 pub(crate) fn device() -> (wgpu::Device, wgpu::Queue) {
+    with_limits(wgpu::Limits::default())
+}
+
+/// The first adapter's device, with these limits.
+pub(crate) fn with_limits(required_limits: wgpu::Limits) -> (wgpu::Device, wgpu::Queue) {
     let instance =
         wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
     let adapter = pollster::block_on(
@@ -10,8 +15,8 @@ pub(crate) fn device() -> (wgpu::Device, wgpu::Queue) {
     .expect(
         "these tests need a GPU adapter; on Debian or Ubuntu: apt-get install mesa-vulkan-drivers",
     );
-    pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default()))
-        .expect("the adapter has wgpu's default limits")
+    let descriptor = wgpu::DeviceDescriptor { required_limits, ..Default::default() };
+    pollster::block_on(adapter.request_device(&descriptor)).expect("the adapter has the limits")
 }
 
 /// What a buffer holds, after all submitted work.

@@ -50,7 +50,8 @@ fn the_list_equals_the_reference() {
 #[test]
 fn a_full_list_keeps_the_first_buckets_and_counts_the_rest() {
     let mut rig = rig(5, 3000, 256);
-    let view = View { culling: Culling { orientation: false, ..Culling::default() }, ..mixed_view(2) };
+    let view =
+        View { culling: Culling { orientation: false, ..Culling::default() }, ..mixed_view(2) };
     rig.cull(&[view]);
     let whole = check(&rig, 0);
     let (all, _) = rig.list(0);

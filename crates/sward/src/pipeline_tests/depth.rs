@@ -1,6 +1,6 @@
 //! Depth textures with known content.
 
-use super::rig::Rig;
+use super::rig::Gpu;
 use super::scenes::SIZE;
 use crate::View;
 use glam::Vec3;
@@ -34,7 +34,11 @@ pub(super) fn target(
 }
 
 /// A texture whose depth is this WGSL expression of pixel `p` and `sample`.
-pub(super) fn depth_texture(rig: &Rig, samples: u32, expression: &str) -> wgpu::TextureView {
+pub(super) fn depth_texture(
+    (device, queue): &Gpu,
+    samples: u32,
+    expression: &str,
+) -> wgpu::TextureView {
     let source = format!(
         "@vertex fn vs(@builtin(vertex_index) i: u32) -> @builtin(position) vec4<f32> {{
             return vec4<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.5, 1.0);
@@ -44,7 +48,6 @@ pub(super) fn depth_texture(rig: &Rig, samples: u32, expression: &str) -> wgpu::
         }}",
         if samples > 1 { ", @builtin(sample_index) sample: u32" } else { "" }
     );
-    let device = &rig.device;
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("test.depth"),
         source: wgpu::ShaderSource::Wgsl(source.into()),
@@ -93,6 +96,6 @@ pub(super) fn depth_texture(rig: &Rig, samples: u32, expression: &str) -> wgpu::
     pass.set_pipeline(&pipeline);
     pass.draw(0..3, 0..1);
     drop(pass);
-    rig.queue.submit([encoder.finish()]);
+    queue.submit([encoder.finish()]);
     view
 }

@@ -1,9 +1,15 @@
 //! The GPU pipeline as a host drives it, against the stages' CPU references.
 
+mod colliders;
+mod compaction;
 mod decisions;
 mod decoded;
 mod depth;
+mod drawing;
 mod handmade;
+mod packing;
+mod pages;
 mod quantized;
 mod rig;
 mod scenes;
+mod views;

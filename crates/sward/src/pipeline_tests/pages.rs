@@ -100,9 +100,12 @@ fn a_page_holds_what_binding_dispatch_and_index_hold() {
 #[test]
 fn a_device_that_lacks_a_limit_is_refused() {
     check_device(&wgpu::Limits::default()).expect("the defaults suffice");
-    let lower: [(&str, fn(&mut wgpu::Limits)); 5] = [
+    type Lower = fn(&mut wgpu::Limits);
+    let lower: [(&str, Lower); 5] = [
         ("max_storage_buffers_per_shader_stage", |l| l.max_storage_buffers_per_shader_stage = 7),
-        ("max_compute_invocations_per_workgroup", |l| l.max_compute_invocations_per_workgroup = 128),
+        ("max_compute_invocations_per_workgroup", |l| {
+            l.max_compute_invocations_per_workgroup = 128
+        }),
         ("max_compute_workgroup_size_x", |l| l.max_compute_workgroup_size_x = 128),
         ("max_bind_groups", |l| l.max_bind_groups = 3),
         ("max_uniform_buffer_binding_size", |l| l.max_uniform_buffer_binding_size = 16384),

@@ -108,12 +108,8 @@ fn no_spheres(_: f32) -> Vec<Sphere> {
 /// too few bits, it stalls.
 #[test]
 fn a_crushed_blade_does_not_stall() {
-    for (hz, model, crush) in [
-        (240.0, PhysicsModel::Sward, 0.5),
-        (240.0, PhysicsModel::Sward, 1.5),
-        (144.0, PhysicsModel::Sward, 0.0),
-        (144.0, PhysicsModel::Paper, 1.0),
-    ] {
+    for (hz, model, crush) in [(240.0, PhysicsModel::Sward, 0.5), (144.0, PhysicsModel::Paper, 1.0)]
+    {
         let (tips, crush_off) = Run { hz, model, crush, spheres_at: no_spheres }.compare();
         let worst = tips[tips.len() - 1];
         println!("{model:?} at {hz} Hz, crush {crush}: tip {worst:.2e} h, crush {crush_off:.2e}");

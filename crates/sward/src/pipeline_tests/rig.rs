@@ -29,10 +29,17 @@ impl Rig {
     }
 
     pub fn on((device, queue): Gpu, field: Field) -> Self {
-        let targets = Targets::single_sampled(wgpu::TextureFormat::Rgba16Float);
+        let targets = Targets::single_sampled(wgpu::TextureFormat::Rgba8Unorm);
         let mut renderer = Renderer::new(&device, targets).expect("the device has the limits");
         renderer.add_field(&device, &field).expect("the field fits");
         Self { device, queue, renderer, field, statistics: None }
+    }
+
+    /// The same renderer with another field: pipelines are dear.
+    pub fn replace(&mut self, field: Field) {
+        self.renderer.clear();
+        self.renderer.add_field(&self.device, &field).expect("the field fits");
+        self.field = field;
     }
 
     /// Records with the renderer and waits for the work.
@@ -45,6 +52,10 @@ impl Rig {
         let result = record(&mut self.renderer, &gpu, &mut encoder);
         self.queue.submit([encoder.finish()]);
         self.device.poll(wgpu::PollType::wait_indefinitely()).expect("the work ends");
+        // Another test's thread may be the one that is told of the mapping
+        while self.renderer.counts_in_flight() {
+            std::thread::yield_now();
+        }
         self.statistics = self.renderer.statistics(&self.device);
         result
     }

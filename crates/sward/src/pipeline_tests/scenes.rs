@@ -15,6 +15,7 @@ use glam::camera::rh::{
     view::look_at_mat4,
 };
 use glam::{DVec3, Mat4, Vec2, Vec3};
+use std::f32::consts::TAU;
 
 pub(super) const SIZE: [u32; 2] = [128, 96];
 
@@ -72,7 +73,7 @@ pub(super) fn random_blade(draws: &mut Draws, species: &[Species], half_extent: 
     Blade {
         root: Vec3::new(place.x, 0.05 * place.y, place.z),
         up: (Vec3::Y + draws.unit() * draws.between(0.0, 0.8)).normalize(),
-        facing: draws.between(0.0, 6.28),
+        facing: draws.between(0.0, TAU),
         height: own.height_m.at(draws.between(0.0, 1.0)),
         width: own.width_m.at(draws.between(0.0, 1.0)),
         response: own.response.at(draws.between(0.0, 1.0)),

@@ -79,7 +79,7 @@ impl Inputs {
         &self.draw_group
     }
 
-    /// Writes a step's inputs; returns whether there are spheres.
+    /// Writes a step's inputs, which [`check`] let pass; returns whether there are spheres.
     pub(crate) fn write(
         &mut self,
         device: &wgpu::Device,
@@ -88,24 +88,34 @@ impl Inputs {
         frame: &Frame,
         clock: &Clock,
         dt_s: f32,
-    ) -> Result<bool, Error> {
-        check_gravity(&frame.gravity)?;
+    ) -> bool {
         let wind = frame.wind.gpu_sources();
-        at_most("wind", "sward's 64 wind sources", wind.len(), MAX_WIND_SOURCES)?;
         let spheres = gpu_spheres(frame.spheres);
-        let room = device.limits().max_storage_buffer_binding_size / 16;
-        at_most("spheres", "max_storage_buffer_binding_size / 16", spheres.len(), room as usize)?;
         if spheres.len() as u64 * 16 > self.spheres.size() {
             self.spheres =
-                sphere_buffer(device, spheres.len().next_power_of_two().min(room as usize));
+                sphere_buffer(device, spheres.len().next_power_of_two().min(sphere_room(device)));
             self.group = compute_group(device, layouts, &self.frame, &self.wind, &self.spheres);
         }
         let uniform = gpu_frame(frame, clock, dt_s, wind.len(), spheres.len());
         buffers::write(device, encoder, &self.frame, bytemuck::bytes_of(&uniform));
         buffers::write(device, encoder, &self.wind, bytemuck::cast_slice(&wind));
         buffers::write(device, encoder, &self.spheres, bytemuck::cast_slice(&spheres));
-        Ok(!spheres.is_empty())
+        !spheres.is_empty()
     }
+}
+
+/// Most spheres that one binding holds.
+fn sphere_room(device: &wgpu::Device) -> usize {
+    (device.limits().max_storage_buffer_binding_size / 16) as usize
+}
+
+/// Checks a step's inputs, before anything is changed.
+pub(crate) fn check(device: &wgpu::Device, frame: &Frame) -> Result<(), Error> {
+    check_gravity(&frame.gravity)?;
+    let sources = frame.wind.gpu_sources().len();
+    at_most("wind", "sward's 64 wind sources", sources, MAX_WIND_SOURCES)?;
+    let (spheres, room) = (gpu_spheres(frame.spheres).len(), sphere_room(device));
+    at_most("spheres", "max_storage_buffer_binding_size / 16", spheres, room)
 }
 
 fn at_most(what: &str, limit: &'static str, asked: usize, available: usize) -> Result<(), Error> {

@@ -70,9 +70,10 @@ struct Frame3 {
 }
 
 // Two unit vectors perpendicular to up and to each other. No sign switch anywhere near +y or the
-// horizon, where the stages could otherwise round to different sides of it.
+// horizon, where the stages could otherwise round to different sides of it. The seam is well above
+// -y, towards which 1 / (1 + y) magnifies the rounding.
 fn tangent_frame(up: vec3<f32>) -> Frame3 {
-    if up.y < -0.99 {
+    if up.y < -0.55 {
         let s = normalize(vec3<f32>(0.0, up.z, -up.y));
         return Frame3(cross(s, up), s);
     }
