@@ -29,6 +29,24 @@ pub enum Error {
         /// What to do about it.
         remedy: String,
     },
+    /// A field has more blades than fit a device.
+    #[error(
+        "{count} blades, but {most} fit: a field has at most {pages} pages of {page_bytes} bytes, \
+         each within the adapter's max_storage_buffer_binding_size, {binding_bytes} bytes; lower \
+         its density or count, or split it into several fields"
+    )]
+    TooManyBlades {
+        /// Blades asked for.
+        count: u64,
+        /// Most blades of one field on this device.
+        most: u64,
+        /// Most pages of a field.
+        pages: u64,
+        /// Bytes of the largest buffer of a full page.
+        page_bytes: u64,
+        /// The device's `max_storage_buffer_binding_size`.
+        binding_bytes: u64,
+    },
 }
 
 impl Error {

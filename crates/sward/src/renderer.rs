@@ -107,23 +107,23 @@ impl Renderer {
         limits::max_blades(limits, patch_size)
     }
 
+    /// Checks that a field of so many blades fits a device, such as those of
+    /// [`FieldDesc::planned_blades`](crate::FieldDesc::planned_blades) before it grows.
+    ///
+    /// # Errors
+    /// [`Error::TooManyBlades`] says how many fit and why.
+    pub fn check_blades(limits: &wgpu::Limits, patch_size: u32, blades: u64) -> Result<(), Error> {
+        limits::check_blades(limits, patch_size, blades)
+    }
+
     /// Uploads a field; it is simulated and drawn from then on.
     ///
     /// # Errors
-    /// [`Error::Limit`] where it does not fit the device.
+    /// [`Error::TooManyBlades`] where it does not fit the device.
     pub fn add_field(&mut self, device: &wgpu::Device, field: &Field) -> Result<(), Error> {
         let available = device.limits();
-        let most = limits::max_blades(&available, field.patch_size());
         let count = field.blades().len() as u64;
-        if count > most {
-            return Err(Error::Limit {
-                what: format!("a field of {count} blades"),
-                limit: "max_storage_buffer_binding_size",
-                needed: count.div_ceil(limits::MAX_PAGES_OF_A_FIELD) * 16,
-                available: available.max_storage_buffer_binding_size,
-                remedy: format!("{most} blades fit: lower the density"),
-            });
-        }
+        limits::check_blades(&available, field.patch_size(), count)?;
         let patches_a_page = (limits::page_blades(&available, field.patch_size())
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
