@@ -3,8 +3,7 @@
 
 use anyhow::{Context, Result, bail};
 use image::RgbImage;
-use std::fs::{self, File};
-use std::io::{BufWriter, Write};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The names of one picture or of a sequence.
@@ -70,15 +69,7 @@ impl Output {
     /// # Errors
     /// Where nothing can be written there.
     pub fn prepare(&self) -> Result<()> {
-        let file = self.file(0);
-        if let Some(folder) = file.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-            fs::create_dir_all(folder)
-                .with_context(|| format!("cannot make the folder {}", folder.display()))?;
-        }
-        if file.is_dir() {
-            bail!("-o {}: is a folder; name a file", file.display());
-        }
-        Partial::create(&file).map(drop)
+        prepare_file("-o", &self.file(0))
     }
 }
 
@@ -114,29 +105,23 @@ fn pattern(text: &str) -> Option<Output> {
 /// A file under a temporary name, removed unless it is finished.
 #[derive(Debug)]
 struct Partial {
-    file: Option<File>,
     path: PathBuf,
     target: PathBuf,
 }
 
 impl Partial {
-    fn create(target: &Path) -> Result<Self> {
-        let mut name = target.file_name().context("the output has no file name")?.to_os_string();
+    /// Writes all bytes at once: the temporary file is there for as short a time as can be, so that
+    /// hardly any end of the program leaves it behind.
+    fn create(target: &Path, bytes: &[u8]) -> Result<Self> {
+        let mut name = target.file_name().context("the name ends in no file")?.to_os_string();
         name.push(format!(".{}.partial", std::process::id()));
-        let path = target.with_file_name(name);
-        let file = File::create(&path)
-            .with_context(|| format!("-o {}: cannot write there", target.display()))?;
-        Ok(Self { file: Some(file), path, target: target.into() })
+        let partial = Self { path: target.with_file_name(name), target: target.into() };
+        fs::write(&partial.path, bytes).context("cannot write there")?;
+        Ok(partial)
     }
 
-    fn finish(mut self, write: impl FnOnce(&mut BufWriter<File>) -> Result<()>) -> Result<()> {
-        let context = || format!("cannot write {}", self.target.display());
-        if let Some(file) = self.file.take() {
-            let mut writer = BufWriter::new(file);
-            write(&mut writer).with_context(context)?;
-            writer.flush().with_context(context)?;
-        }
-        fs::rename(&self.path, &self.target).with_context(context)
+    fn finish(self) -> Result<()> {
+        fs::rename(&self.path, &self.target).context("cannot write there")
     }
 }
 
@@ -147,15 +132,19 @@ impl Drop for Partial {
     }
 }
 
+fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
+    let partial = Partial::create(path, bytes);
+    partial.and_then(Partial::finish).with_context(|| path.display().to_string())
+}
+
 /// Writes a picture as PNG.
 ///
 /// # Errors
 /// Where it cannot be written; then there is no new file.
 pub fn write_picture(path: &Path, picture: &RgbImage) -> Result<()> {
-    Partial::create(path)?.finish(|writer| {
-        let encoder = image::codecs::png::PngEncoder::new(writer);
-        Ok(picture.write_with_encoder(encoder)?)
-    })
+    let mut bytes = Vec::new();
+    picture.write_with_encoder(image::codecs::png::PngEncoder::new(&mut bytes))?;
+    write_file(path, &bytes)
 }
 
 /// Writes JSON, with a line break at its end.
@@ -163,18 +152,35 @@ pub fn write_picture(path: &Path, picture: &RgbImage) -> Result<()> {
 /// # Errors
 /// Where it cannot be written; then there is no new file.
 pub fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<()> {
-    Partial::create(path)?.finish(|writer| {
-        serde_json::to_writer_pretty(&mut *writer, value)?;
-        Ok(writeln!(writer)?)
-    })
+    let mut bytes = serde_json::to_vec_pretty(value)?;
+    bytes.push(b'\n');
+    write_file(path, &bytes)
 }
 
-/// Tries a file that will be written later.
+/// Makes the folder of a file that will be written later, and tries it. `option` names it in
+/// messages.
 ///
 /// # Errors
 /// Where nothing can be written there.
-pub fn prepare_file(path: &Path) -> Result<()> {
-    Output::Single(path.into()).prepare()
+pub fn prepare_file(option: &str, path: &Path) -> Result<()> {
+    try_file(path).with_context(|| format!("{option} {}", path.display()))
+}
+
+fn try_file(path: &Path) -> Result<()> {
+    // `Path` itself passes over a separator at the end.
+    let is_folder = path.as_os_str().as_encoded_bytes().ends_with(b"/") || path.is_dir();
+    if is_folder {
+        bail!("is a folder; name a file");
+    }
+    // A rename would put a file in the place of a device or a pipe.
+    if fs::metadata(path).is_ok_and(|about| !about.is_file()) {
+        bail!("is not a file; name another");
+    }
+    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        fs::create_dir_all(folder)
+            .with_context(|| format!("cannot make the folder {}", folder.display()))?;
+    }
+    Partial::create(path, &[]).map(drop)
 }
 
 #[cfg(test)]

@@ -84,12 +84,58 @@ fn outputs() {
     render(&["-o", "%s.png", "--frames", "0..2"], "%04d");
     render(&["-o", "file.txt/a.png"], "file.txt");
     render(&["-o", "."], "extension");
+    render(&["-o", "new.png/"], "is a folder");
+}
+
+#[test]
+#[cfg(unix)]
+fn devices_are_no_outputs_and_stay() {
+    let scene = scene("tiny.ron");
+    refused(&["bench", &scene, "--json", "/dev/null"], "--json /dev/null: is not a file");
+    assert!(!std::fs::metadata("/dev/null").unwrap().is_file());
+}
+
+#[test]
+fn a_failed_render_keeps_the_earlier_picture() {
+    let folder = Folder::new();
+    std::fs::write(folder.path("a.png"), "earlier").unwrap();
+    std::fs::write(
+        folder.path("s.ron"),
+        "(fields: [(on: Plane(), max_slope_deg: 0, height_limits_m: (5, 6))])",
+    )
+    .unwrap();
+    let output = folder.sward(&["render", "s.ron", "-o", "a.png"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("nothing grows"), "{}", stderr(&output));
+    assert_eq!(std::fs::read(folder.path("a.png")).unwrap(), b"earlier");
+    assert_eq!(folder.names(), ["a.png", "s.ron"]);
+}
+
+/// Density and count far above what fits are refused before anything grows.
+#[test]
+fn more_blades_than_fit() {
+    let folder = Folder::new();
+    for keys in ["density: 1e8", "count: 4000000000", "count: 100000000"] {
+        let text = format!("(fields: [(on: Plane(size_m: (100, 100)), {keys})])");
+        std::fs::write(folder.path("s.ron"), text).unwrap();
+        let start = std::time::Instant::now();
+        let output = folder.sward(&["check", "s.ron"]);
+        let error = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{keys}: {error}");
+        assert_eq!(error.lines().count(), 1, "{keys}: {error}");
+        let parts = ["s.ron: field 'field 0': ", "67108864 blades fit", "max_storage_buffer_binding_size"];
+        assert!(parts.iter().all(|part| error.contains(part)), "{keys}: {error}");
+        assert!(start.elapsed().as_secs() < 5, "{keys}: not at once");
+    }
 }
 
 #[test]
 fn pictures_to_compare() {
     refused(&["compare", "a.png", "b.png"], "a.png");
-    refused(&["compare", "file.txt", "file.txt"], "file.txt");
+    refused(&["compare", "file.txt", "file.txt"], "file.txt: is no PNG picture");
+    refused(&["compare", ".", "file.txt"], ".: is not a file");
+    let scene = scene("tiny.ron");
+    refused(&["bench", &scene, "--compare", "."], "--compare .: is not a file");
 }
 
 #[test]

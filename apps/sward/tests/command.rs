@@ -124,6 +124,38 @@ fn culling_off_draws_every_blade() {
 }
 
 #[test]
+fn as_many_blades_as_asked_for_where_the_scene_counts_them() {
+    let folder = Folder::new();
+    std::fs::write(folder.path("s.ron"), "(fields: [(on: Plane(), count: 700)], warm_up_s: 0)")
+        .unwrap();
+    let base = ["bench", "s.ron", "--frames", "1", "--size", "64x48", "--json", "a.json"];
+    succeeds(&folder, &[&base[..], &["--blades", "3000"]].concat());
+    let json: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.path("a.json")).unwrap()).unwrap();
+    assert_eq!(json["blades_total"], 3000);
+}
+
+#[test]
+fn check_tells_areas_dropped_triangles_and_notes() {
+    let folder = Folder::new();
+    let obj = "v 0 0 0\nv 0 0 3\nv 4 0 0\nf 1 2 3\nf 1 2 2\n";
+    std::fs::write(folder.path("a.obj"), obj).unwrap();
+    // 3 x 2 pixels of 8 bits.
+    image::GrayImage::new(3, 2).save(folder.path("h.png")).unwrap();
+    let scene = "(objects: [(source: Heightmap(file: \"h.png\"))],
+        fields: [(name: \"f\", on: File(\"a.obj\"))], warm_up_s: 0)";
+    std::fs::write(folder.path("s.ron"), scene).unwrap();
+    let output = folder.sward(&["check", "s.ron"]);
+    let (said, told) = (stdout(&output), stderr(&output));
+    let row = said.lines().find(|line| line.starts_with("f ")).unwrap();
+    let cells: Vec<_> = row.split_whitespace().collect();
+    assert_eq!(cells, ["f", "1", "1", "3", "6.000", "yes"], "{said}");
+    assert!(told.starts_with("note: h.png: has 8 bits") && told.lines().count() == 1, "{told}");
+    let output = folder.sward(&["check", "s.ron", "--quiet"]);
+    assert_eq!(stderr(&output), "");
+}
+
+#[test]
 fn check_and_info_say_what_there_is() {
     let folder = Folder::new();
     let said = succeeds(&folder, &["check", &scene("tiny.ron")]);

@@ -206,6 +206,14 @@ impl Field {
 }
 
 impl FieldDesc {
+    /// Blades that growing starts with: `count`, or `density` times the area; the density map, the
+    /// slope and the heights remove some of them. Known at once, so that a host can refuse a field
+    /// that does not fit (see [`crate::Renderer::check_blades`]) before it grows.
+    pub fn planned_blades(&self, surface: &Surface) -> u64 {
+        // The conversion saturates; no blade comes of NaN.
+        self.count.unwrap_or((f64::from(self.density) * surface.area_m2()).round() as u64)
+    }
+
     /// Checks every value.
     fn check(&self) -> Result<(), Error> {
         above_zero("density", self.density, 1e9)?;

@@ -107,6 +107,15 @@ impl Renderer {
         limits::max_blades(limits, patch_size)
     }
 
+    /// Checks that a field of so many blades fits a device, such as those of
+    /// [`FieldDesc::planned_blades`](crate::FieldDesc::planned_blades) before it grows.
+    ///
+    /// # Errors
+    /// [`Error::Limit`] says how many fit and why.
+    pub fn check_blades(limits: &wgpu::Limits, patch_size: u32, blades: u64) -> Result<(), Error> {
+        limits::check_blades(limits, patch_size, blades)
+    }
+
     /// Uploads a field; it is simulated and drawn from then on.
     ///
     /// # Errors
@@ -114,7 +123,7 @@ impl Renderer {
     pub fn add_field(&mut self, device: &wgpu::Device, field: &Field) -> Result<(), Error> {
         let available = device.limits();
         let count = field.blades().len() as u64;
-        limits::check_field(&available, field.patch_size(), count)?;
+        limits::check_blades(&available, field.patch_size(), count)?;
         let patches_a_page = (limits::page_blades(&available, field.patch_size())
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();

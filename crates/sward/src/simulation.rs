@@ -18,7 +18,10 @@ pub enum PhysicsModel {
     /// Exact step, length by projection, scale-free species.
     #[default]
     Sward,
-    /// Equations 1 to 16 of J as printed, with the errata.
+    /// Equations 1 to 16 of J with the errata, for comparison. Two things are ours in this model
+    /// too: species are free of scale (a blade of height h and response s feels gravity `droop s h`
+    /// and wind `beta s h`), and wind broadside on a blade acts up to twice as much as wind along
+    /// its width.
     Paper,
 }
 

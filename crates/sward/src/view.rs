@@ -50,7 +50,8 @@ pub struct View<'a> {
     /// Keep blades at least a pixel wide (J equation 24); off for supersampled references.
     pub width_correction: bool,
     /// Most blades to list; `None` has room for all (4 bytes a blade of the field and view). What
-    /// does not fit is dropped, nearest levels kept first, and counted.
+    /// does not fit is dropped and counted. Kept first are pointed blades, nearest level first, then
+    /// flat-tipped ones likewise.
     pub max_blades: Option<u32>,
 }
 

@@ -182,11 +182,9 @@ fn finish(
         let first = objects.len();
         for mut object in thing.into_objects(carries, soil) {
             let surface = surface(context, &name, std::mem::take(&mut object.mesh))?;
-            let dropped = surface.dropped_triangles();
-            if dropped > 0 {
-                context.note(format!("object '{name}': {dropped} degenerate triangles left out"));
-            }
             object.mesh = surface.mesh().clone();
+            object.area_m2 = surface.area_m2();
+            object.dropped_triangles = surface.dropped_triangles();
             if carries && whole.is_none() {
                 grown.push((index, first, surface));
             }
@@ -203,6 +201,8 @@ fn finish(
                 roughness: 0.9,
                 visible: false,
                 carries_grass: true,
+                area_m2: surface.area_m2(),
+                dropped_triangles: surface.dropped_triangles(),
                 texture: None,
             });
         }

@@ -96,6 +96,9 @@ fn scene_values_out_of_range_name_their_key() {
         ("warm_up_s: -1", "warm_up_s: -1"),
         ("wind: [Waves(direction: (0, 0))]", "wind[0].direction"),
         ("wind: [Gusts(), Waves(wavelength_m: 0)]", "wind[1].wavelength_m: 0"),
+        // What the library refuses is refused here, where the line is known.
+        ("wind: [Waves(wavelength_m: 0.001)]", "wind[0].wavelength_m: 0.001"),
+        ("wind: [Gusts(size_m: 20000)]", "wind[0].size_m: 20000"),
         ("sun: (elevation_deg: 91)", "sun.elevation_deg: 91"),
         ("sky: (haze_m: 0)", "sky.haze_m: 0"),
         ("gravity: (direction: (0, 0, 0))", "gravity.direction"),

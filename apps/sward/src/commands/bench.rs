@@ -3,7 +3,7 @@
 mod measure;
 mod report;
 
-use super::{grow_timed, load};
+use super::{grow_timed, load, tell_notes};
 use crate::args::Size;
 use crate::output;
 use crate::progress;
@@ -41,7 +41,7 @@ pub struct Args {
     /// Camera of the scene [default: its first]
     #[arg(long, value_name = "NAME")]
     camera: Option<String>,
-    /// Scale the scene's densities to about this many blades
+    /// Scale the scene's densities and counts to about this many blades
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     blades: Option<u64>,
     /// Leave something out; may be given several times
@@ -86,9 +86,9 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     let samples = gpu.choose_samples(args.samples)?;
     let options = options(&args, &scene, samples)?;
     if let Some(path) = &args.json {
-        output::prepare_file(path)?;
+        output::prepare_file("--json", path)?;
     }
-    let density_scale = density_scale(&args, &scene, quiet)?;
+    let density_scale = density_scale(&args, &scene, &gpu, quiet)?;
     let mut out = std::io::stdout();
     let mut reports = Vec::new();
     let sizes: Vec<_> = match args.patch_sizes.as_slice() {
@@ -99,6 +99,7 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
         let grow = GrowOptions { density_scale, patch_size };
         reports.push(measure_once(&args, &gpu, &scene, &options, grow, quiet)?);
     }
+    tell_notes(&scene, quiet);
     let Some(first) = reports.first() else { bail!("--patch-sizes: no sizes") };
     write!(out, "{}", report::tables(first, baseline.as_ref()))?;
     if !args.patch_sizes.is_empty() {
@@ -128,13 +129,13 @@ fn options(args: &Args, scene: &Scene, samples: u32) -> Result<StageOptions> {
     Ok(options)
 }
 
-/// What to multiply the densities by, found by growing once.
-fn density_scale(args: &Args, scene: &Scene, quiet: bool) -> Result<Option<f32>> {
+/// What to multiply the densities and counts by, found by growing once.
+fn density_scale(args: &Args, scene: &Scene, gpu: &Gpu, quiet: bool) -> Result<Option<f64>> {
     let Some(wanted) = args.blades else { return Ok(None) };
-    let (fields, _) = grow_timed(scene, GrowOptions::default(), quiet)?;
+    let (fields, _) = grow_timed(scene, gpu, GrowOptions::default(), quiet)?;
     match blade_count(&fields) {
         0 => bail!("--blades: nothing grows in this scene"),
-        grown => Ok(Some((wanted as f64 / grown as f64) as f32)),
+        grown => Ok(Some(wanted as f64 / grown as f64)),
     }
 }
 
@@ -146,7 +147,7 @@ fn measure_once(
     grow: GrowOptions,
     quiet: bool,
 ) -> Result<Report> {
-    let (fields, grow_s) = grow_timed(scene, grow, quiet)?;
+    let (fields, grow_s) = grow_timed(scene, gpu, grow, quiet)?;
     let patch_size = fields.first().map_or(0, sward::Field::patch_size);
     let mut stage = Stage::new(gpu, scene, &fields, options.clone())?;
     drop(fields);

@@ -1,6 +1,6 @@
 //! `sward check`: what a scene holds, and whether it fits.
 
-use super::{grow_timed, load};
+use super::{grow_timed, load, tell_notes};
 use crate::table::{Table, thousands};
 use anyhow::Result;
 use std::io::Write;
@@ -24,13 +24,16 @@ pub struct Args {
 pub fn run(args: Args, quiet: bool) -> Result<()> {
     let scene = load(&args.scene)?;
     let gpu = Gpu::headless()?;
-    let (fields, grow_s) = grow_timed(&scene, Default::default(), quiet)?;
-    let mut objects = Table::new(["object", "triangles", "vertices", "grass"]);
+    let (fields, grow_s) = grow_timed(&scene, &gpu, Default::default(), quiet)?;
+    let head = ["object", "triangles", "degenerate, dropped", "vertices", "area, m2", "grass"];
+    let mut objects = Table::new(head);
     for object in &scene.objects {
         objects.row([
             object.name.clone(),
             thousands(object.mesh.triangles.len() as u64),
+            thousands(object.dropped_triangles as u64),
             thousands(object.mesh.positions.len() as u64),
+            area(object.area_m2),
             if object.carries_grass { "yes" } else { "no" }.into(),
         ]);
     }
@@ -47,6 +50,7 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     }
     let options = StageOptions::new(&scene, None, [64, 64], gpu.choose_samples(None)?)?;
     let stage = Stage::new(&gpu, &scene, &fields, options)?;
+    tell_notes(&scene, quiet);
     let cameras: Vec<_> = scene.cameras.iter().map(|camera| camera.name.as_str()).collect();
     let limits = gpu.device.limits();
     let mut out = std::io::stdout();
@@ -64,4 +68,13 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     ]);
     write!(out, "{facts}")?;
     Ok(())
+}
+
+/// Whole square metres of fields, four digits of a pebble.
+fn area(m2: f64) -> String {
+    if m2 >= 1000.0 {
+        return thousands(m2.round() as u64);
+    }
+    let decimals = (3.0 - m2.log10().floor()).clamp(1.0, 12.0) as usize;
+    format!("{m2:.decimals$}")
 }

@@ -1,9 +1,9 @@
 //! `sward compare`: how different two pictures look.
 
-use crate::output;
-use anyhow::{Context, Result};
-use image::RgbImage;
-use std::io::Write;
+use crate::{input, output};
+use anyhow::{Context, Result, bail};
+use image::{ImageFormat, ImageReader, RgbImage};
+use std::io::{BufReader, Write};
 use std::path::{Path, PathBuf};
 use sward_app::compare::flip;
 
@@ -28,9 +28,10 @@ pub struct Args {
 /// Prints the comparison.
 pub fn run(args: Args) -> Result<()> {
     let (reference, test) = (open(&args.reference)?, open(&args.test)?);
-    let result = flip(&reference, &test)?;
+    let result = flip(&reference, &test)
+        .with_context(|| format!("{} and {}", args.reference.display(), args.test.display()))?;
     if let Some(path) = &args.json {
-        output::prepare_file(path)?;
+        output::prepare_file("--json", path)?;
         output::write_json(path, &serde_json::json!({ "flip": result }))?;
     }
     writeln!(
@@ -44,6 +45,12 @@ pub fn run(args: Args) -> Result<()> {
 }
 
 fn open(path: &Path) -> Result<RgbImage> {
-    let picture = image::open(path).with_context(|| path.display().to_string())?;
-    Ok(picture.into_rgb8())
+    let shown = || path.display().to_string();
+    let file = input::open(path).with_context(shown)?;
+    let reader =
+        ImageReader::new(BufReader::new(file)).with_guessed_format().with_context(shown)?;
+    if reader.format() != Some(ImageFormat::Png) {
+        bail!("{}: is no PNG picture", shown());
+    }
+    Ok(reader.decode().with_context(shown)?.into_rgb8())
 }

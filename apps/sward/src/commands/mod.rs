@@ -8,9 +8,11 @@ mod render;
 
 use crate::progress;
 use anyhow::Result;
+use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 use sward::Field;
+use sward_app::gpu::Gpu;
 use sward_app::grow::{GrowOptions, grow};
 use sward_scene::Scene;
 
@@ -40,9 +42,22 @@ fn load(path: &Path) -> Result<Scene> {
 }
 
 /// Grows with a spinner; says how many seconds it took.
-fn grow_timed(scene: &Scene, options: GrowOptions, quiet: bool) -> Result<(Vec<Field>, f64)> {
+fn grow_timed(
+    scene: &Scene,
+    gpu: &Gpu,
+    options: GrowOptions,
+    quiet: bool,
+) -> Result<(Vec<Field>, f64)> {
     let _spinner = progress::spinner(quiet, "growing");
     let start = Instant::now();
-    let fields = grow(scene, options)?;
+    let fields = grow(scene, &gpu.device.limits(), options)?;
     Ok((fields, start.elapsed().as_secs_f64()))
+}
+
+/// What is not wrong with a scene but worth telling, on standard error: once it is known to be
+/// good, so that an error stands alone.
+fn tell_notes(scene: &Scene, quiet: bool) {
+    let notes = scene.notes.iter().filter(|_| !quiet);
+    // Nothing is left to do where standard error is closed.
+    notes.for_each(|note| drop(writeln!(std::io::stderr(), "note: {note}")));
 }

@@ -1,6 +1,6 @@
 //! `sward render`: pictures and sequences.
 
-use super::{grow_timed, load};
+use super::{grow_timed, load, tell_notes};
 use crate::args::{self, Frames, Size};
 use crate::output::{Output, write_picture};
 use crate::progress;
@@ -94,12 +94,13 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     let gpu = Gpu::headless()?;
     let options = options(&args, &scene, &gpu)?;
     output.prepare()?;
-    let (fields, grow_s) = grow_timed(&scene, Default::default(), quiet)?;
+    let (fields, grow_s) = grow_timed(&scene, &gpu, Default::default(), quiet)?;
     let blades = blade_count(&fields);
     let samples = if options.reference { 64 } else { options.samples };
     let start = Instant::now();
     let mut stage = Stage::new(&gpu, &scene, &fields, options)?;
     drop(fields);
+    tell_notes(&scene, quiet);
     let clock = Clock::new(args.fps.unwrap_or_else(|| f64::from(scene.fps)));
     match &args.frames {
         None => {
@@ -158,10 +159,11 @@ fn render_single(
     output: &Output,
     quiet: bool,
 ) -> Result<()> {
-    let _spinner = progress::spinner(quiet, "rendering");
+    let bar = progress::bar(quiet, "rendering", clock.until(time_s).count() as u64 + 1);
     stage.warm_up()?;
     for dt_s in clock.until(time_s) {
         stage.step(dt_s)?;
+        bar.step();
     }
     write_picture(&output.file(0), &stage.render()?)
 }

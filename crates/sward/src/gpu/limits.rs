@@ -1,8 +1,6 @@
 //! Every limit of the adapter is checked before it is met.
 
-use super::layout::PAGE_BLADES;
-
-pub use super::layout::MAX_PAGES as MAX_PAGES_OF_A_FIELD;
+use super::layout::{MAX_PAGES, PAGE_BLADES};
 use crate::Error;
 
 fn at_least(what: &str, limit: &'static str, needed: u64, available: u64) -> Result<(), Error> {
@@ -48,12 +46,15 @@ pub fn check_device(limits: &wgpu::Limits) -> Result<(), Error> {
     )
 }
 
+/// Bytes of a blade in the largest buffer of a page.
+const BYTES: u64 = 16;
+
 /// Blades of one page: what one storage binding and one dispatch hold, in whole patches.
 pub fn page_blades(limits: &wgpu::Limits, patch_size: u32) -> u64 {
     let bytes = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
     let groups = u64::from(limits.max_compute_workgroups_per_dimension);
     let size = u64::from(patch_size.max(1));
-    let blades = PAGE_BLADES.min(bytes / 16).min(groups * size);
+    let blades = PAGE_BLADES.min(bytes / BYTES).min(groups * size);
     (blades / size).max(1) * size
 }
 
@@ -61,12 +62,12 @@ pub fn page_blades(limits: &wgpu::Limits, patch_size: u32) -> u64 {
 ///
 /// # Errors
 /// [`Error::Limit`] with how many blades fit.
-pub fn check_field(limits: &wgpu::Limits, patch_size: u32, count: u64) -> Result<(), Error> {
+pub fn check_blades(limits: &wgpu::Limits, patch_size: u32, count: u64) -> Result<(), Error> {
     let most = max_blades(limits, patch_size);
     if count <= most {
         return Ok(());
     }
-    let patches = count.div_ceil(MAX_PAGES_OF_A_FIELD).div_ceil(u64::from(patch_size.max(1)));
+    let patches = count.div_ceil(MAX_PAGES).div_ceil(u64::from(patch_size.max(1)));
     let blades = patches * u64::from(patch_size);
     let bytes = limits.max_storage_buffer_binding_size;
     let groups = u64::from(limits.max_compute_workgroups_per_dimension);
@@ -90,5 +91,5 @@ pub fn check_field(limits: &wgpu::Limits, patch_size: u32, count: u64) -> Result
 /// Most blades that a field may have on a device: 16 pages of up to 4 million blades, fewer where
 /// `max_storage_buffer_binding_size` holds fewer (16 bytes a blade).
 pub fn max_blades(limits: &wgpu::Limits, patch_size: u32) -> u64 {
-    page_blades(limits, patch_size) * MAX_PAGES_OF_A_FIELD
+    page_blades(limits, patch_size) * MAX_PAGES
 }

@@ -5,7 +5,7 @@ use crate::{Error, View};
 use glam::{Mat4, Vec3, Vec4};
 
 /// Survivors are widened to this many pixels at detail 1.
-const LEAST_WIDTH_PX: f32 = 1.0;
+const LEAST_WIDTH_PX: f32 = 1.4;
 
 const FRUSTUM: u32 = 1;
 const DISTANCE: u32 = 2;

@@ -38,7 +38,7 @@ pub(crate) struct Root {
 /// Where the density asks for too many blades or none, or the mask removes all.
 pub(crate) fn roots(surface: &Surface, desc: &FieldDesc) -> Result<Vec<Root>, Error> {
     let mask = Mask::new(surface, desc)?;
-    let count = blade_count(surface.area_m2(), desc)?;
+    let count = blade_count(surface, desc)?;
     let share = desc.tufts.map_or(0.0, |t| f64::from(t.share));
     let in_tufts = (count as f64 * share).round() as u64;
     let (mut roots, tuft_roots) = rayon::join(
@@ -56,7 +56,8 @@ pub(crate) fn roots(surface: &Surface, desc: &FieldDesc) -> Result<Vec<Root>, Er
 }
 
 /// Number of blades before thinning.
-fn blade_count(area_m2: f64, desc: &FieldDesc) -> Result<u64, Error> {
+fn blade_count(surface: &Surface, desc: &FieldDesc) -> Result<u64, Error> {
+    let (area_m2, wanted) = (surface.area_m2(), desc.planned_blades(surface));
     let fit = desc.max_blades.min(u64::from(u32::MAX));
     if let Some(count) = desc.count {
         if (1..=fit).contains(&count) {
@@ -64,19 +65,18 @@ fn blade_count(area_m2: f64, desc: &FieldDesc) -> Result<u64, Error> {
         }
         return Err(Error::setting("count", format!("{count} is out of range; 1 to {fit} fit")));
     }
-    let wanted = (f64::from(desc.density) * area_m2).round();
-    if wanted > fit as f64 {
+    if wanted > fit {
         return Err(Error::setting(
             "density",
             format!(
-                "{} blades on each of {area_m2:.6} m2 make {wanted:.0} blades, but {fit} fit; use at \
+                "{} blades on each of {area_m2:.6} m2 make {wanted} blades, but {fit} fit; use at \
                  most {:.6} blades a square metre, or a smaller mesh",
                 desc.density,
                 fit as f64 / area_m2
             ),
         ));
     }
-    if wanted < 1.0 {
+    if wanted == 0 {
         return Err(Error::setting(
             "density",
             format!(
@@ -87,7 +87,7 @@ fn blade_count(area_m2: f64, desc: &FieldDesc) -> Result<u64, Error> {
             ),
         ));
     }
-    Ok(wanted as u64)
+    Ok(wanted)
 }
 
 fn singles(surface: &Surface, count: u64, seed: u64, mask: &Mask) -> Vec<Root> {

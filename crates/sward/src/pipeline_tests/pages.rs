@@ -2,7 +2,7 @@
 
 use super::rig::{Gpu, Rig, shared};
 use super::scenes::{breeze, random_field, random_view, see_all};
-use crate::gpu::limits::{check_device, check_field, page_blades};
+use crate::gpu::limits::{check_blades, check_device, page_blades};
 use crate::gpu::test_device;
 use crate::{Error, Frame, Renderer, Sphere, Targets};
 use glam::Vec3;
@@ -89,8 +89,8 @@ fn a_page_holds_what_binding_dispatch_and_index_hold() {
         (&few, 256, "max_storage_buffer_binding_size"),
     ] {
         let most = Renderer::max_blades(limits, size);
-        check_field(limits, size, most).expect("fits");
-        let error = check_field(limits, size, most + 1).expect_err("does not fit");
+        check_blades(limits, size, most).expect("fits");
+        let error = check_blades(limits, size, most + 1).expect_err("does not fit");
         assert!(error.to_string().contains(name), "{error}");
         let Error::Limit { needed, available, .. } = error else { panic!("{error}") };
         assert!(needed > available, "{name}: {needed} > {available}");

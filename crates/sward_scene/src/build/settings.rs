@@ -1,6 +1,6 @@
 //! Settings of the whole scene: light, sky, wind, gravity, culling.
 
-use crate::check::{Key, MAX_M, Problem};
+use crate::check::{Key, Problem};
 use crate::schema::{
     CullingFile, GravityFile, GustsFile, PhysicsFile, SceneFile, SkyFile, SunFile, WavesFile,
     WindFile,
@@ -107,7 +107,7 @@ fn wave_source(waves: &WavesFile, key: &Key) -> Result<Waves, Problem> {
         direction: Vec2::from(key.at("direction").direction(waves.direction)?),
         mean: key.at("mean").within(waves.mean, 0.0, MAX_WIND)?,
         amplitude: key.at("amplitude").within(waves.amplitude, 0.0, MAX_WIND)?,
-        wavelength_m: key.at("wavelength_m").above_zero(waves.wavelength_m, MAX_M)?,
+        wavelength_m: key.at("wavelength_m").within(waves.wavelength_m, 0.01, 10_000.0)?,
         speed_mps: key.at("speed_mps").within(waves.speed_mps, -100.0, 100.0)?,
     })
 }
@@ -116,7 +116,7 @@ fn gust_source(gusts: &GustsFile, key: &Key) -> Result<Gusts, Problem> {
     Ok(Gusts {
         direction: Vec2::from(key.at("direction").direction(gusts.direction)?),
         strength: key.at("strength").within(gusts.strength, 0.0, MAX_WIND)?,
-        size_m: key.at("size_m").above_zero(gusts.size_m, MAX_M)?,
+        size_m: key.at("size_m").within(gusts.size_m, 0.01, 10_000.0)?,
         speed_mps: key.at("speed_mps").within(gusts.speed_mps, -100.0, 100.0)?,
         turbulence: key.at("turbulence").within(gusts.turbulence, 0.0, 1.0)?,
         seed: gusts.seed,

@@ -25,6 +25,10 @@ pub struct Object {
     pub visible: bool,
     /// Whether a field grows on it, so that its colour may take [`crate::GroundSettings`].
     pub carries_grass: bool,
+    /// Its area, square metres.
+    pub area_m2: f64,
+    /// Triangles of its file or shape that were left out because they have no area.
+    pub dropped_triangles: usize,
     /// Base colour texture, through the mesh's UVs, wrapping, row 0 at v = 0.
     pub texture: Option<TextureImage>,
 }

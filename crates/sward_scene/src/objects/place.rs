@@ -142,6 +142,9 @@ impl Placed {
             roughness: part.roughness.unwrap_or(0.9),
             visible: self.visible,
             carries_grass,
+            // Known when the mesh has been checked.
+            area_m2: 0.0,
+            dropped_triangles: 0,
             texture: part.texture,
         };
         parts.map(object).collect()

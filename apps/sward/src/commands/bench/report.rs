@@ -2,6 +2,7 @@
 
 use super::Without;
 use super::measure::Times;
+use crate::input;
 use crate::table::{Table, thousands};
 use anyhow::{Context, Result};
 use clap::ValueEnum;
@@ -153,8 +154,8 @@ pub fn json(reports: &[Report]) -> Document {
 /// Reads an earlier measurement.
 pub fn read(path: &Path) -> Result<Report> {
     let shown = path.display();
-    let text = std::fs::read_to_string(path).with_context(|| format!("--compare {shown}"))?;
-    serde_json::from_str(&text)
+    let file = input::open(path).with_context(|| format!("--compare {shown}"))?;
+    serde_json::from_reader(std::io::BufReader::new(file))
         .with_context(|| format!("--compare {shown}: not a file that bench --json wrote"))
 }
 

@@ -1,6 +1,6 @@
 // Levels of detail: 8, 4, 2, 1 segments, and thinning.
 
-// Projected height in pixels that four times over begins the first level; each next begins at a quarter.
+// A quarter of this projected height, in pixels, ends the first level; a quarter of that the next.
 const FULL_DETAIL_PX: f32 = 480.0;
 const LEVELS: u32 = 4u;
 // The last share of a level over which it turns into the next.

@@ -1,13 +1,13 @@
 //! The CPU reference of level.wgsl.
 
-/// Projected height, pixels, above which the first level keeps all its segments.
-pub(crate) const FULL_DETAIL_PX: f32 = 540.0;
-const MORPH_SHARE: f32 = 0.5;
+/// A quarter of this projected height, pixels, ends the first level; a quarter of that the next.
+pub(crate) const FULL_DETAIL_PX: f32 = 480.0;
+const MORPH_SHARE: f32 = 0.3;
 const FADE_SHARE: f32 = 0.3;
 
 /// Level and how far it has turned into the next.
 pub(crate) fn choose_level(height_px: f32) -> (u32, f32) {
-    let x = ((FULL_DETAIL_PX / height_px.max(1e-3)).log2() / 3.0_f32.log2()).clamp(0.0, 3.999);
+    let x = (0.5 * (FULL_DETAIL_PX / height_px.max(1e-3)).log2()).clamp(0.0, 3.999);
     let index = (x as u32).min(3);
     let t = ((x - index as f32 - (1.0 - MORPH_SHARE)) / MORPH_SHARE).clamp(0.0, 1.0);
     (index, if index == 3 { 0.0 } else { t * t * (3.0 - 2.0 * t) })
@@ -33,7 +33,7 @@ mod tests {
 
     #[test]
     fn a_level_ends_as_the_next_begins() {
-        for boundary in [180.0, 60.0, 20.0] {
+        for boundary in [120.0, 30.0, 7.5] {
             let (above, below) = (choose_level(boundary * 1.0001), choose_level(boundary * 0.9999));
             assert_eq!(above.0 + 1, below.0);
             assert!(above.1 > 0.999 && below.1 < 0.001, "{above:?} {below:?}");
