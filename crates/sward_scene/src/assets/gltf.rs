@@ -23,8 +23,7 @@ pub(crate) fn parse(file: &Path, bytes: &[u8]) -> Result<Vec<Part>, SceneError> 
     let root: gltf::json::Root = gltf::json::deserialize::from_slice(json)
         .map_err(|error| broken(format!("broken glTF: {error}; export it again")))?;
     check_root(&root).map_err(broken)?;
-    let document = gltf::Document::from_json(root)
-        .map_err(|error| broken(format!("invalid glTF: {error}; export it again")))?;
+    let document = gltf::Document::from_json(root).map_err(|error| broken(invalid(&error)))?;
     let buffers = document
         .buffers()
         .map(|buffer| read_buffer(file, &buffer, binary))
@@ -44,6 +43,12 @@ pub(crate) fn parse(file: &Path, bytes: &[u8]) -> Result<Vec<Part>, SceneError> 
         parts.push(with_material(&data, &document, index, mesh)?);
     }
     Ok(parts)
+}
+
+/// The crate's own message begins with "invalid glTF" and ends each finding with a semicolon.
+fn invalid(error: &gltf::Error) -> String {
+    let text = error.to_string();
+    format!("{}; export it again", text.trim().trim_end_matches(';'))
 }
 
 /// What the crate's own check does not ask, or panics on: the version, and accessors of positions
