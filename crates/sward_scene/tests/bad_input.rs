@@ -133,6 +133,14 @@ fn scene_values_out_of_range_name_their_key() {
 }
 
 #[test]
+fn more_wind_than_is_taken_is_refused() {
+    let scene = |count| format!("(fields: [(on: Plane())], wind: [{}])", "Waves(), ".repeat(count));
+    assert!(parse(&scene(64), Path::new("scene.ron")).is_ok());
+    let text = error(&scene(65));
+    assert!(text.contains("scene.ron:1:33: wind: 65 sources: at most 64"), "{text}");
+}
+
+#[test]
 fn syntax_errors_name_line_and_column() {
     let cases = [
         (

@@ -94,7 +94,11 @@ impl<'a> Uploader<'a> {
 /// All levels one after another, each the mean of 2 x 2 of the one before, in linear light.
 fn mip_chain(image: &TextureImage) -> (Vec<u8>, u32) {
     let (mut width, mut height) = (image.width as usize, image.height as usize);
-    let mut level: Vec<f32> = image.pixels.iter().enumerate().map(|(i, &v)| decode(i, v)).collect();
+    // Both transfer functions of each value once: a large image has many millions.
+    let [color, alpha] = [0, 3].map(|i| (0..=255).map(|v| decode(i, v)).collect::<Vec<_>>());
+    let table = |i: usize| if i % 4 == 3 { &alpha } else { &color };
+    let pixels = image.pixels.iter().enumerate();
+    let mut level: Vec<f32> = pixels.map(|(i, &v)| table(i)[usize::from(v)]).collect();
     let mut data = image.pixels.clone();
     let mut levels = 1;
     while width > 1 || height > 1 {

@@ -20,10 +20,10 @@ const MAX_DEPTH: usize = 256;
 pub(crate) fn parse(file: &Path, bytes: &[u8]) -> Result<Vec<Part>, SceneError> {
     let broken = |cause: String| SceneError::asset(file, cause);
     let (json, binary) = split(bytes).map_err(broken)?;
-    let root = gltf::json::deserialize::from_slice(json)
+    let root: gltf::json::Root = gltf::json::deserialize::from_slice(json)
         .map_err(|error| broken(format!("broken glTF: {error}; export it again")))?;
-    let document = gltf::Document::from_json(root)
-        .map_err(|error| broken(format!("invalid glTF: {error}; export it again")))?;
+    check_root(&root).map_err(broken)?;
+    let document = gltf::Document::from_json(root).map_err(|error| broken(invalid(&error)))?;
     let buffers = document
         .buffers()
         .map(|buffer| read_buffer(file, &buffer, binary))
@@ -43,6 +43,36 @@ pub(crate) fn parse(file: &Path, bytes: &[u8]) -> Result<Vec<Part>, SceneError> 
         parts.push(with_material(&data, &document, index, mesh)?);
     }
     Ok(parts)
+}
+
+/// The crate's own message begins with "invalid glTF" and ends each finding with a semicolon.
+fn invalid(error: &gltf::Error) -> String {
+    let text = error.to_string();
+    format!("{}; export it again", text.trim().trim_end_matches(';'))
+}
+
+/// What the crate's own check does not ask, or panics on: the version, and accessors of positions
+/// that are not there.
+fn check_root(root: &gltf::json::Root) -> Result<(), String> {
+    let version = &root.asset.version;
+    if !version.starts_with("2.") {
+        return Err(format!("glTF version {version}; only 2 is read: export as glTF 2.0"));
+    }
+    let positions = gltf::json::validation::Checked::Valid(Semantic::Positions);
+    for (index, mesh) in root.meshes.iter().enumerate() {
+        for (number, primitive) in mesh.primitives.iter().enumerate() {
+            let accessor = primitive.attributes.get(&positions).map(|accessor| accessor.value());
+            let missing = accessor.filter(|&accessor| accessor >= root.accessors.len());
+            if let Some(accessor) = missing {
+                let count = root.accessors.len();
+                return Err(format!(
+                    "mesh {index} primitive {number}: accessor {accessor} is out of range: there \
+                     are {count}; export it again"
+                ));
+            }
+        }
+    }
+    Ok(())
 }
 
 fn read_buffer(

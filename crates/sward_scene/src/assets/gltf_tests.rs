@@ -72,6 +72,22 @@ fn cause(bytes: &[u8]) -> String {
 }
 
 #[test]
+fn accessors_that_are_not_there_and_other_versions_are_refused() {
+    let json = |version: &str| {
+        format!(
+            r#"{{"asset": {{"version": "{version}"}},
+                "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 3}}}}]}}]}}"#
+        )
+    };
+    let error = |version| {
+        let parsed = parse(std::path::Path::new("a.gltf"), json(version).as_bytes());
+        parsed.expect_err("broken").to_string()
+    };
+    assert!(error("2.0").contains("a.gltf: mesh 0 primitive 0: accessor 3"), "{}", error("2.0"));
+    assert!(error("1.0").contains("a.gltf: glTF version 1.0"), "{}", error("1.0"));
+}
+
+#[test]
 fn nested_transforms_colours_and_material() {
     let nodes = r#"[{"translation":[10,0,0],"children":[1]},{"scale":[2,2,2],"mesh":0}]"#;
     let parts = read(&glb(&json(nodes, PRIMITIVE), &buffer())).expect("a triangle");

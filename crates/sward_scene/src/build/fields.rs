@@ -40,7 +40,7 @@ fn checked(field: &FieldFile, key: &Key) -> Result<FieldDesc, Problem> {
     }
     let default = FieldDesc::default();
     let density = field.density.unwrap_or(default.density);
-    let count = field.count.map(|count| key.at("count").integer(count, 1, u64::from(u32::MAX)));
+    let count = field.count.map(|count| key.at("count").integer(count, 1, u64::MAX));
     let kinds = field.species.len() as u64;
     key.at("species")
         .integer(kinds, 1, 256)
@@ -54,7 +54,8 @@ fn checked(field: &FieldFile, key: &Key) -> Result<FieldDesc, Problem> {
         return Err(key.at("patch_size").problem(cause));
     }
     Ok(FieldDesc {
-        density: key.at("density").above_zero(density, 1e8)?,
+        // How many fit is the adapter's to say.
+        density: key.at("density").above_zero(density, f32::MAX)?,
         count: count.transpose()?,
         seed: field.seed,
         species: species.collect::<Result<_, _>>()?,

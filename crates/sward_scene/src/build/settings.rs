@@ -7,7 +7,7 @@ use crate::schema::{
 };
 use crate::{GroundSettings, SkySettings, SunSettings};
 use glam::{Vec2, Vec3};
-use sward::{Culling, Gravity, Gusts, PhysicsModel, Waves, WindSource};
+use sward::{Culling, Gravity, Gusts, PhysicsModel, Waves, Wind, WindSource};
 
 pub(super) struct Settings {
     pub(super) wind: Vec<WindSource>,
@@ -24,6 +24,11 @@ pub(super) struct Settings {
 impl Settings {
     pub(super) fn check(file: &SceneFile) -> Result<Self, Problem> {
         let ground = Key::name("ground");
+        let sources = file.wind.len();
+        if sources > Wind::MAX_SOURCES {
+            let cause = format!("{sources} sources: at most {} are taken", Wind::MAX_SOURCES);
+            return Err(Key::name("wind").problem(cause));
+        }
         let wind = file.wind.iter().enumerate();
         Ok(Self {
             wind: wind.map(|(i, source)| wind_source(source, i)).collect::<Result<_, _>>()?,

@@ -4,6 +4,7 @@
 mod twin;
 
 use crate::Error;
+use crate::gpu::layout::MAX_WIND_SOURCES;
 use crate::shared::noise_twin::NOISE_PERIOD;
 use glam::{DVec2, DVec3, Vec2, Vec3, dvec2};
 use std::f64::consts::TAU;
@@ -104,6 +105,9 @@ pub struct GpuWindSource {
 }
 
 impl Wind {
+    /// Most sources that the renderer takes at once.
+    pub const MAX_SOURCES: usize = MAX_WIND_SOURCES;
+
     /// A wind of these sources, at time 0.
     ///
     /// # Errors
