@@ -28,6 +28,7 @@ const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
 const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
+const OUTLINE: &str = part!("frame/draw/outline.wgsl");
 const BLADE_POINT: &str = part!("frame/draw/blade_point.wgsl");
 const DRAW: &str = part!("frame/draw/draw.wgsl");
 
@@ -85,7 +86,7 @@ impl Shader {
             Self::UpdateMultisampled => &[DEPTH_MULTISAMPLED],
             Self::Scan => &[BAND, VIEW, SCAN],
             Self::Compact => &[BAND, VIEW, COMPACT],
-            Self::Draw => &[STATE, VIEW, LEVEL, LIGHT, BLADE_POINT, DRAW],
+            Self::Draw => &[STATE, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW],
         };
         let mut parts = [&field[..], rest].concat();
         if matches!(self, Self::Update | Self::UpdateMultisampled) {

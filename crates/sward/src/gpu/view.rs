@@ -5,7 +5,7 @@ use crate::{Error, View};
 use glam::{Mat4, Vec3, Vec4};
 
 /// Survivors are widened to this many pixels at detail 1.
-const LEAST_WIDTH_PX: f32 = 1.4;
+pub const LEAST_WIDTH_PX: f32 = 1.4;
 
 const FRUSTUM: u32 = 1;
 const DISTANCE: u32 = 2;
@@ -41,6 +41,10 @@ fn flags(view: &View) -> u32 {
     ]
     .iter()
     .fold(0, |sum, (on, bit)| if *on { sum | bit } else { sum })
+}
+
+fn smaller(texture: &wgpu::Texture, size: [u32; 2]) -> bool {
+    texture.width() < size[0] || texture.height() < size[1]
 }
 
 /// The uniform of a view.

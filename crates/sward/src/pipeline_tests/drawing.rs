@@ -109,8 +109,7 @@ fn vertices_are_those_of_the_levels() {
     // One pointed blade and two flat ones: 2n + 1 and 2n + 2, and three a ring where the ridge is
     let blades = [blade(0.0, 0), blade(0.0, 1), blade(0.0, 1)];
     let mut rig = Rig::new(field_of(species(), &blades, 64));
-    let expected =
-        [(300.0, 25 + 2 * 27), (100.0, 9 + 2 * 10), (40.0, 5 + 2 * 6), (10.0, 3 + 2 * 4)];
+    let expected = [(300.0, 25 + 2 * 27), (60.0, 13 + 2 * 15), (15.0, 5 + 2 * 6), (5.0, 3 + 2 * 4)];
     for (level, (height_px, vertices)) in expected.into_iter().enumerate() {
         rig.cull(&[at_height(height_px)]);
         let (_, draws) = rig.list(0);
@@ -152,8 +151,8 @@ fn a_change_of_level_does_not_show() {
             rig.cull(&[at_height(height_px)]);
             draw(&mut rig, 0)
         };
-        let levels = [0.6, 0.6 / 3.0, 0.6 / 9.0].map(|share| at(FULL_DETAIL_PX * share));
-        for (level, share) in [1.0 / 3.0, 1.0 / 9.0, 1.0 / 27.0].into_iter().enumerate() {
+        let levels = [0.6, 0.6 / 4.0, 0.6 / 16.0].map(|share| at(FULL_DETAIL_PX * share));
+        for (level, share) in [1.0 / 4.0, 1.0 / 16.0, 1.0 / 64.0].into_iter().enumerate() {
             let edge = FULL_DETAIL_PX * share;
             let (above, below) = (at(edge * 1.001), at(edge * 0.999));
             let (color, outline) = difference(&above, &below);
@@ -163,8 +162,10 @@ fn a_change_of_level_does_not_show() {
                  {hard_color:.4}, {hard_outline}",
                 covered(&below)
             );
-            assert!(color < 0.03, "species {kind}, level {level}: {color}");
-            assert!(outline * 8 <= covered(&below), "species {kind}, level {level}: {outline}");
+            // The last level lights a blade at its ends only, so that its middle changes shade
+            let most = [0.03, 0.03, 0.045][level];
+            assert!(color < most, "species {kind}, level {level}: {color}");
+            assert!(outline * 50 <= covered(&below), "species {kind}, level {level}: {outline}");
             assert!(hard_outline > 2 * outline, "the measure sees a level");
         }
     }

@@ -3,6 +3,7 @@
 use super::depth::{depth_of, depth_texture};
 use super::rig::{Rig, shared};
 use super::scenes::{facing_origin, field_of, look, no_culling};
+use crate::gpu::view::LEAST_WIDTH_PX;
 use crate::grow::Blade;
 use crate::{Culling, Range, Shape, Species, Statistics, View};
 use glam::Vec3;
@@ -117,9 +118,9 @@ fn distance_keeps_near_blades_and_thins_far_ones() {
     let thin = Blade { width: 0.01, ..blade(Vec3::ZERO, FRAC_PI_2) };
     let culling = Culling { distance: true, ..no_culling() };
     let at = |share: f32, detail: f32| {
-        // So far off that the blade's width is this share of a pixel
+        // So far off that the blade's width is this share of the least that is drawn
         let focal = facing_origin().clip_from_view.y_axis.y * 48.0;
-        let eye = Vec3::new(0.0, 0.5, 0.01 * focal / share);
+        let eye = Vec3::new(0.0, 0.5, 0.01 * focal / (share * LEAST_WIDTH_PX));
         let view = View { culling, detail, ..look(eye, Vec3::new(0.0, 0.5, 0.0)) };
         counts(&[thin; 64], view)
     };

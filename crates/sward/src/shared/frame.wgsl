@@ -41,7 +41,7 @@ struct GpuWindSource {
     frequency: f32,
     // Waves: radians a second; gusts: metres a second
     rate: f32,
-    // Waves: phase now, radians in 0..2 pi; gusts: drift now, metres (xz)
+    // Waves: phase now, radians in 0..2 pi, and drift of their noise, cells; gusts: drift now, cells
     phase: vec2<f32>,
     reserved: vec2<f32>,
 }

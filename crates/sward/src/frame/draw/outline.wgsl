@@ -1,0 +1,89 @@
+// The outline of a blade (J equations 22 and 24), and how it turns into the next level's.
+
+// Share of the width left at v: t(1, v) - t(0, v) of equation 22.
+fn outline(shape: u32, tip: f32, v: f32) -> f32 {
+    switch shape {
+        case 0u: { return 1.0; }
+        case 1u: { return 1.0 - v; }
+        case 2u: { return 1.0 - v * v; }
+        default: { return 1.0 - max(v - tip, 0.0) / (1.0 - tip); }
+    }
+}
+
+// Equation 22 with the width correction of 24: place across the full width, 0 to 1.
+fn across(shape: u32, share: f32, u: f32, thin: f32) -> f32 {
+    let t = select(0.5 + (u - 0.5) * share, u * share, shape == 2u);
+    return mix(t, u, thin);
+}
+
+// Rings that the next level lacks move onto its edges as the blade turns into it.
+struct Ring {
+    // Curve parameter's odd part: how far to move along the second difference
+    bend: f32,
+    share: f32,
+}
+
+fn ring_of(shape: u32, tip: f32, v: f32, morph: f32) -> Ring {
+    let share = outline(shape, tip, v);
+    let ring = u32(round(v * f32(SEGMENTS)));
+    if (ring & 1u) == 0u {
+        return Ring(0.0, share);
+    }
+    let step = 1.0 / f32(SEGMENTS);
+    let chord = 0.5 * (outline(shape, tip, v - step) + outline(shape, tip, min(v + step, 1.0)));
+    return Ring(morph * step * step, mix(share, chord, morph));
+}
+
+// A cut across the blade at v.
+struct Section {
+    // From the middle line to the vertex, in full widths
+    edge: vec3<f32>,
+    side: vec3<f32>,
+    normal: vec3<f32>,
+}
+
+fn section(
+    blade: Blade,
+    knee: vec3<f32>,
+    tip: vec3<f32>,
+    form: vec4<f32>,
+    v: f32,
+    u: f32,
+    thin: f32,
+) -> Section {
+    // Equation 21: b - a
+    let along = unit_or(knee * (1.0 - 2.0 * v) + tip * v, blade.up);
+    let flat_side = cross(blade.up, blade.facing);
+    let side = unit_or(flat_side - along * dot(flat_side, along), flat_side);
+    let shape = u32(form.w);
+    let t = across(shape, outline(shape, form.y, v), select(u, 0.5, v == 1.0 && !FLAT_TIP), thin);
+    return Section(side * (t - 0.5), side, cross(side, along));
+}
+
+// The same, with the rings that the next level lacks moved onto its edges.
+fn morphed_section(
+    blade: Blade,
+    knee: vec3<f32>,
+    tip: vec3<f32>,
+    form: vec4<f32>,
+    corner: Corner,
+    ring: Ring,
+    morph: f32,
+    thin: f32,
+) -> Section {
+    var own = section(blade, knee, tip, form, corner.v, corner.u, thin);
+    if ring.bend > 0.0 {
+        let step = 1.0 / f32(SEGMENTS);
+        let low = section(blade, knee, tip, form, corner.v - step, corner.u, thin);
+        let high = section(blade, knee, tip, form, corner.v + step, corner.u, thin);
+        own.edge = mix(own.edge, 0.5 * (low.edge + high.edge), morph);
+        own.side = mix(own.side, 0.5 * (low.side + high.side), morph);
+        own.normal = mix(own.normal, 0.5 * (low.normal + high.normal), morph);
+    }
+    return own;
+}
+
+fn area_scale(kind: u32, level: u32, morph: f32) -> f32 {
+    let own = species_table[kind].area_scale[level];
+    return mix(own, species_table[kind].area_scale[min(level + 1u, 3u)], morph);
+}
