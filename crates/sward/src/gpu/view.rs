@@ -47,24 +47,35 @@ fn smaller(texture: &wgpu::Texture, size: [u32; 2]) -> bool {
     texture.width() < size[0] || texture.height() < size[1]
 }
 
-/// The uniform of a view.
-///
-/// # Errors
-/// [`Error::Setting`] where a matrix is not finite or not invertible, or the size is zero.
-pub fn gpu_view(view: &View, capacity: u32) -> Result<GpuView, Error> {
-    let clip_from_world = view.clip_from_view * view.view_from_world;
-    let world_from_view = view.view_from_world.inverse();
-    if !clip_from_world.is_finite() || !world_from_view.is_finite() {
+fn check(view: &View) -> Result<(), Error> {
+    let finite = (view.clip_from_view * view.view_from_world).is_finite()
+        && view.view_from_world.inverse().is_finite();
+    if !finite {
         return Err(Error::setting("view", "its matrices must be finite and invertible"));
     }
     if view.size.contains(&0) {
         return Err(Error::setting("view.size", "must be at least 1 x 1 pixels"));
+    }
+    if view.opaque_depth.is_some_and(|depth| smaller(depth.texture(), view.size)) {
+        return Err(Error::setting("view.opaque_depth", "must be at least as large as view.size"));
     }
     // NaN is not above 0 either
     let above_zero = |x: f32| x > 0.0;
     if !above_zero(view.detail) || !above_zero(view.culling.max_distance_m) {
         return Err(Error::setting("view", "detail and max_distance_m must be above 0"));
     }
+    Ok(())
+}
+
+/// The uniform of a view.
+///
+/// # Errors
+/// [`Error::Setting`] where a matrix is not finite or not invertible, the size is zero, or the
+/// depth is smaller.
+pub fn gpu_view(view: &View, capacity: u32) -> Result<GpuView, Error> {
+    check(view)?;
+    let clip_from_world = view.clip_from_view * view.view_from_world;
+    let world_from_view = view.view_from_world.inverse();
     let clip = view.clip_from_view;
     let perspective = clip.w_axis.w.abs() < 0.5;
     let row = view.view_from_world.transpose().z_axis;

@@ -1,7 +1,8 @@
 //! Several views of one simulation, steps of any length, and what a host may get wrong.
 
 use super::decoded::{decode, states};
-use super::rig::Rig;
+use super::depth::depth_texture;
+use super::rig::{Rig, shared};
 use super::scenes::{breeze, is_sound, look, random_field, random_view, see_all, see_none};
 use crate::{Culling, Error, Frame, Gravity, PhysicsModel, Sphere, Stage, View};
 use glam::{Mat4, Vec3};
@@ -165,6 +166,7 @@ fn absurd_gravity_is_an_error_and_changes_nothing() {
 fn a_view_that_is_no_camera_is_an_error() {
     let mut rig = rig();
     let good = see_all();
+    let small = depth_texture(&shared(), 1, "1.0");
     let culling = |max_distance_m| Culling { max_distance_m, ..Culling::default() };
     let bad = [
         View { view_from_world: Mat4::NAN, ..good },
@@ -177,6 +179,7 @@ fn a_view_that_is_no_camera_is_an_error() {
         View { detail: f32::NAN, ..good },
         View { culling: culling(0.0), ..good },
         View { culling: culling(f32::NAN), ..good },
+        View { size: [129, 96], opaque_depth: Some(&small), ..good },
     ];
     for (i, view) in bad.into_iter().enumerate() {
         let error = rig.submit(|renderer, (device, _), encoder| {
