@@ -18,7 +18,7 @@ pub(crate) struct Topology {
 }
 
 impl Topology {
-    /// Of a bucket: level and kind of tip. Only the first level shows the ridge.
+    /// Of a bucket: level and kind of tip. Only the first two levels show the ridge.
     pub(crate) fn of(bucket: usize) -> Self {
         let level = bucket % 4;
         Self {
