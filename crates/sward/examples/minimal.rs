@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         wind.advance(1.0 / 60.0);
         let frame = Frame::new(1.0 / 60.0, &wind);
         let mut encoder = device.create_command_encoder(&Default::default());
-        renderer.simulate(&device, &queue, &mut encoder, &frame)?;
+        renderer.simulate(&device, &mut encoder, &frame)?;
         renderer.cull(&device, &mut encoder, &[view])?;
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {

@@ -161,7 +161,7 @@ impl Field {
             return Err(Error::setting("blades", cause));
         }
         for (i, blade) in blades.iter().enumerate() {
-            blade.check(i, species.len())?;
+            blade.check(i, &species)?;
         }
         Ok(Self::arrange(species, blades, patch_size, metric, order))
     }
@@ -216,7 +216,9 @@ impl FieldDesc {
 
     /// Checks every value.
     fn check(&self) -> Result<(), Error> {
-        above_zero("density", self.density, 1e9)?;
+        if self.count.is_none() {
+            above_zero("density", self.density, 1e9)?;
+        }
         check_species(&self.species)?;
         if let Some(tufts) = &self.tufts {
             within("tufts.share", tufts.share, 0.0, 1.0)?;

@@ -28,7 +28,7 @@
 //! wind.advance(dt_s);
 //! let view = View::new(view_from_world, clip_from_view, [1280, 720]);
 //! let mut encoder = device.create_command_encoder(&Default::default());
-//! renderer.simulate(&device, &queue, &mut encoder, &Frame::new(dt_s as f32, &wind))?;
+//! renderer.simulate(&device, &mut encoder, &Frame::new(dt_s as f32, &wind))?;
 //! renderer.cull(&device, &mut encoder, &[view])?;
 //! # let render_pass_of_the_host = wgpu::RenderPassDescriptor::default();
 //! let mut pass = encoder.begin_render_pass(&render_pass_of_the_host);

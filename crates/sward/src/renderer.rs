@@ -9,8 +9,9 @@ use crate::frame::update::{Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
 use crate::gpu::page::Page;
+use crate::gpu::quantize::species_table;
 use crate::gpu::statistics::{PageCounts, ReadBack};
-use crate::gpu::view::gpu_view;
+use crate::gpu::view::{check_view, gpu_view};
 use crate::{Error, Field, Frame, PhysicsModel, Statistics, View};
 
 mod clock;
@@ -36,6 +37,19 @@ impl Targets {
     /// A colour format with a 32-bit depth, one sample a pixel.
     pub fn single_sampled(color: wgpu::TextureFormat) -> Self {
         Self { color, depth: wgpu::TextureFormat::Depth32Float, samples: 1 }
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        if self.color.is_depth_stencil_format() {
+            return Err(Error::setting("targets.color", "must be a colour format"));
+        }
+        if !self.depth.has_depth_aspect() {
+            return Err(Error::setting("targets.depth", "must be a depth format"));
+        }
+        if ![1, 2, 4, 8, 16].contains(&self.samples) {
+            return Err(Error::setting("targets.samples", "must be 1, 2, 4, 8 or 16"));
+        }
+        Ok(())
     }
 }
 
@@ -80,8 +94,10 @@ impl Renderer {
     /// Makes the pipelines.
     ///
     /// # Errors
-    /// [`Error::Limit`] where the device lacks what they need.
+    /// [`Error::Limit`] where the device lacks what they need, [`Error::Setting`] for targets that
+    /// blades cannot be drawn to.
     pub fn new(device: &wgpu::Device, targets: Targets) -> Result<Self, Error> {
+        targets.check()?;
         limits::check_device(&device.limits())?;
         let layouts = Layouts::new(device);
         Ok(Self {
@@ -127,10 +143,11 @@ impl Renderer {
         let patches_a_page = (limits::page_blades(&available, field.patch_size())
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
+        let species = species_table(field);
         for first in (0..patch_count).step_by(patches_a_page.max(1)) {
             let range = first..(first + patches_a_page).min(patch_count);
             let ticks = self.clock.ticks();
-            let page = Page::new(device, &self.layouts, field, range, self.model, ticks);
+            let page = Page::new(device, &self.layouts, field, &species, range, self.model, ticks);
             self.pages.push(page);
         }
         self.totals.blades += count;
@@ -146,18 +163,19 @@ impl Renderer {
     pub fn simulate(
         &mut self,
         device: &wgpu::Device,
-        queue: &wgpu::Queue,
         encoder: &mut wgpu::CommandEncoder,
         frame: &Frame,
     ) -> Result<(), Error> {
-        inputs::check(device, frame)?;
+        let lists = inputs::check(device, frame)?;
         if frame.physics != self.model {
             self.model = frame.physics;
-            self.pages.iter().for_each(|page| page.reset(queue, self.model, self.clock.ticks()));
+            for page in &self.pages {
+                page.reset(device, encoder, self.model, self.clock.ticks());
+            }
         }
-        let dt_s = self.clock.advance(frame.dt_s);
-        let inputs = &mut self.inputs;
-        let spheres = inputs.write(device, encoder, &self.layouts, frame, &self.clock, dt_s);
+        self.clock.advance(frame.dt_s);
+        self.inputs.write(device, encoder, &self.layouts, frame, &lists, &self.clock);
+        let spheres = !lists.spheres.is_empty();
         if spheres || self.had_spheres {
             self.wake_touched(device, encoder);
         }
@@ -185,8 +203,7 @@ impl Renderer {
         let all = page.field.blade_count;
         let kept = page.views.get(view).map_or(all, |v| v.capacity);
         // A view keeps its size until it is asked for another
-        let capacity =
-            cap.map_or(if view == 0 && cap.is_none() { kept } else { all }, |c| c.min(all));
+        let capacity = cap.map_or(kept, |c| c.min(all));
         page.ensure_view(device, &self.layouts, view, capacity, &self.draw.blade_indices);
     }
 
@@ -223,6 +240,7 @@ impl Renderer {
         index: usize,
         view: &View,
     ) -> Result<(), Error> {
+        check_view(view)?;
         for page in 0..self.pages.len() {
             // Views are numbered without gaps
             for earlier in self.pages[page].views.len()..index {
@@ -231,7 +249,7 @@ impl Renderer {
             let all = self.pages[page].field.blade_count;
             self.ensure_view(device, page, index, Some(view.max_blades.unwrap_or(all)));
             let lists = &self.pages[page].views[index];
-            let uniform = gpu_view(view, lists.capacity)?;
+            let uniform = gpu_view(view, lists.capacity);
             buffers::write(device, encoder, &lists.view, bytemuck::bytes_of(&uniform));
         }
         Ok(())

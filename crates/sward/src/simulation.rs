@@ -85,11 +85,11 @@ impl Default for Light {
 /// What happens in one step of the simulation.
 #[derive(Debug, Clone)]
 pub struct Frame<'a> {
-    /// Seconds since the last step; clamped to 0..=10.
+    /// Seconds since the last step; clamped to 0..=10, and 0 where it is not a number.
     pub dt_s: f32,
     /// The wind, already advanced by the host.
     pub wind: &'a Wind,
-    /// Spheres that push blades.
+    /// Spheres that push blades; those without a finite centre and radius are left out.
     pub spheres: &'a [Sphere],
     /// Gravity.
     pub gravity: Gravity,

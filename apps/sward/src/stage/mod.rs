@@ -234,7 +234,7 @@ impl Stage {
             light: self.light,
             physics: self.options.physics,
         };
-        Ok(self.renderer.simulate(&self.gpu.device, &self.gpu.queue, encoder, &frame)?)
+        Ok(self.renderer.simulate(&self.gpu.device, encoder, &frame)?)
     }
 
     /// Records the depth of the opaque things, unless it is there already.

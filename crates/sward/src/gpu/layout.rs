@@ -11,11 +11,12 @@
 //!
 //! # Its 8 dynamic bytes
 //! Direction of the tip in the blade's own frame (24 + 24 bits, half octahedral) and crush (16 bits
-//! over 0..2, rounded up or down by turns so that the error of many small steps does not add up). `PhysicsModel::Paper` keeps a length as well: 17 + 17 + 14 + 16.
+//! over 0..2, rounded up or down by turns so that the error of many small steps does not add up).
+//! `PhysicsModel::Paper` keeps a length as well: 17 + 17 + 14 + 16.
 //!
 //! # What else grows with the blades
 //! Per blade 4 bytes of draw list and 2 of decisions; per 64 blades 48 bytes of clocks, counts and
-//! offsets; per patch its box (48), its near spheres (128) and two work entries (16).
+//! offsets; per patch its box (48), its near spheres (128) and work entry (8).
 
 use bytemuck::{Pod, Zeroable};
 
@@ -76,7 +77,7 @@ pub struct GpuPatch {
     pub origin: [f32; 3],
     pub edge: f32,
     pub reach_min: [f32; 3],
-    pub max_height: f32,
+    pub reserved: f32,
     pub reach_max: [f32; 3],
     pub max_width: f32,
 }
@@ -130,7 +131,7 @@ pub struct GpuBand {
     pub reserved_c: u32,
 }
 
-/// `GpuBlock` of scan.wgsl and compact.wgsl.
+/// `GpuBlock` of band.wgsl.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub struct GpuBlock {
@@ -138,7 +139,7 @@ pub struct GpuBlock {
     pub counted: [u32; 8],
 }
 
-/// `GpuDraw` of scan.wgsl and draw.wgsl.
+/// `GpuDraw` of draws.wgsl.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Pod, Zeroable)]
 pub struct GpuDraw {

@@ -1,7 +1,10 @@
 //! Every struct that host and shaders share, compared member by member through naga.
 
 use super::layout::*;
+use super::quantize::SEGMENTS;
 use super::shaders::Shader;
+use super::view;
+use crate::frame::draw::topology::BLADES_PER_INSTANCE;
 use crate::frame::wind::GpuWindSource;
 use std::mem::{offset_of, size_of};
 
@@ -51,7 +54,7 @@ fn structs() -> Vec<Expected> {
             reserved,
         }),
         expected!(GpuField { blade_count, patch_count, patch_size, first_id }),
-        expected!(GpuPatch { origin, edge, reach_min, max_height, reach_max, max_width }),
+        expected!(GpuPatch { origin, edge, reach_min, reserved, reach_max, max_width }),
         expected!(GpuSpecies {
             height,
             width,
@@ -132,4 +135,37 @@ fn structs_agree_with_the_shaders() {
         }
     }
     assert_eq!(seen.len(), expected.len(), "some struct is in no shader: {seen:?}");
+}
+
+/// Constants that the host repeats, by their value in every shader that has them.
+#[test]
+fn constants_agree_with_the_shaders() {
+    let expected = [
+        ("BAND", BAND),
+        ("BUCKETS", BUCKETS as u32),
+        ("BLOCK", BLOCK),
+        ("NEAR_STRIDE", NEAR_STRIDE),
+        ("CULL_FRUSTUM", view::FRUSTUM),
+        ("CULL_DISTANCE", view::DISTANCE),
+        ("CULL_ORIENTATION", view::ORIENTATION),
+        ("CULL_OCCLUSION", view::OCCLUSION),
+        ("CULL_PAPER", view::PAPER),
+        ("WIDTH_CORRECTION", view::WIDTH_CORRECTION),
+        ("HAS_DEPTH", view::HAS_DEPTH),
+        ("LEVELS", SEGMENTS.len() as u32),
+    ];
+    let mut seen = std::collections::BTreeSet::new();
+    for shader in Shader::ALL {
+        let module = naga::front::wgsl::parse_str(&shader.source()).expect("valid");
+        for (_, constant) in module.constants.iter() {
+            let name = constant.name.as_deref().unwrap_or_default();
+            let Some((name, value)) = expected.iter().find(|(n, _)| *n == name) else { continue };
+            let found = &module.global_expressions[constant.init];
+            let literal = naga::Expression::Literal(naga::Literal::U32(*value));
+            assert_eq!(format!("{found:?}"), format!("{literal:?}"), "{name} of {shader:?}");
+            seen.insert(*name);
+        }
+    }
+    assert_eq!(seen.len(), expected.len(), "some constant is in no shader: {seen:?}");
+    assert_eq!(BLADES_PER_INSTANCE, BAND, "an instance is a band's worth of blades");
 }

@@ -68,12 +68,13 @@ pub fn check_blades(limits: &wgpu::Limits, patch_size: u32, count: u64) -> Resul
         return Ok(());
     }
     let patches = count.div_ceil(MAX_PAGES).div_ceil(u64::from(patch_size.max(1)));
-    let blades = patches * u64::from(patch_size);
+    let blades = patches.saturating_mul(u64::from(patch_size));
+    let needed_bytes = blades.saturating_mul(BYTES);
     let bytes = limits.max_storage_buffer_binding_size;
     let groups = u64::from(limits.max_compute_workgroups_per_dimension);
     let candidates = [
-        ("max_storage_buffer_binding_size", blades * 16, bytes),
-        ("max_buffer_size", blades * 16, limits.max_buffer_size),
+        ("max_storage_buffer_binding_size", needed_bytes, bytes),
+        ("max_buffer_size", needed_bytes, limits.max_buffer_size),
         ("max_compute_workgroups_per_dimension", patches, groups),
         ("a draw list's range of indices", blades, PAGE_BLADES),
     ];

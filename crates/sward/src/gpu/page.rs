@@ -1,12 +1,12 @@
 //! A page: up to four million blades of a field in buffers that one binding holds.
 
 use super::bindings;
-use super::buffers::{filled, storage, uniform};
+use super::buffers::{filled, storage, uniform, write};
 use super::layout::{
     BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuPatch, GpuSpecies, GpuView,
     MAX_SPECIES, NEAR_STRIDE, TICKS_PER_SECOND,
 };
-use super::quantize::{gpu_patch, gpu_species, leaf_area_index, pack_blade};
+use super::quantize::{gpu_patch, pack_blade};
 use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
 use crate::renderer::Layouts;
 use crate::{Field, PhysicsModel, Species};
@@ -98,13 +98,6 @@ fn first_bands(count: usize, ticks: u32) -> Vec<GpuBand> {
     vec![GpuBand { ticks: asleep, ..GpuBand::zeroed() }; count]
 }
 
-fn species_table(field: &Field) -> Vec<GpuSpecies> {
-    let leaf_area = leaf_area_index(field.blades(), field.patches());
-    let mut table: Vec<_> = field.species().iter().map(|s| gpu_species(s, leaf_area)).collect();
-    table.resize(MAX_SPECIES, GpuSpecies::zeroed());
-    table
-}
-
 struct Packed {
     field: GpuField,
     blades: Vec<[u32; 4]>,
@@ -141,6 +134,7 @@ impl Page {
         device: &wgpu::Device,
         layouts: &Layouts,
         field: &Field,
+        species: &[GpuSpecies],
         patch_range: std::ops::Range<usize>,
         model: PhysicsModel,
         ticks: u32,
@@ -152,8 +146,7 @@ impl Page {
         let data = |label, content: &[u8], usage| filled(device, label, content, usage);
         let store = |label, bytes| storage(device, label, bytes, BufferUsages::empty());
         let field_uniform = data("sward.field", bytemuck::bytes_of(&counts), BufferUsages::UNIFORM);
-        let table = species_table(field);
-        let species = data("sward.species", bytemuck::cast_slice(&table), BufferUsages::UNIFORM);
+        let species = data("sward.species", bytemuck::cast_slice(species), BufferUsages::UNIFORM);
         let blades =
             data("sward.blades", bytemuck::cast_slice(&packed.blades), BufferUsages::STORAGE);
         let patches =
@@ -223,11 +216,17 @@ impl Page {
     }
 
     /// Stands every blade up again, for a model that keeps its state in other bits.
-    pub fn reset(&self, queue: &wgpu::Queue, model: PhysicsModel, ticks: u32) {
+    pub fn reset(
+        &self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        model: PhysicsModel,
+        ticks: u32,
+    ) {
         let states = vec![upright_state(model); self.field.blade_count as usize];
-        queue.write_buffer(&self.dynamics, 0, bytemuck::cast_slice(&states));
+        write(device, encoder, &self.dynamics, bytemuck::cast_slice(&states));
         let clocks = first_bands((self.bands.size() / size_of::<GpuBand>() as u64) as usize, ticks);
-        queue.write_buffer(&self.bands, 0, bytemuck::cast_slice(&clocks));
+        write(device, encoder, &self.bands, bytemuck::cast_slice(&clocks));
     }
 
     /// Makes sure that view `index` has lists of `capacity` entries.

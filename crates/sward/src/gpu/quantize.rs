@@ -1,8 +1,10 @@
 //! Blades, species and patches to their GPU form, and a blade back again.
 
-use super::layout::{GpuPatch, GpuSpecies};
+use super::layout::{GpuPatch, GpuSpecies, MAX_SPECIES};
+use crate::Field;
 use crate::grow::{Blade, Patch};
 use crate::species::{Range, Shape, Species};
+use bytemuck::Zeroable;
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
 
@@ -117,13 +119,13 @@ pub fn gpu_patch(patch: &Patch, blades: &[Blade]) -> GpuPatch {
         origin: origin.to_array(),
         edge,
         reach_min: patch.reach_min.to_array(),
-        max_height: own.iter().fold(0.0, |m, b| m.max(b.height)),
+        reserved: 0.0,
         reach_max: patch.reach_max.to_array(),
         max_width: own.iter().fold(0.0, |m, b| m.max(b.width)),
     }
 }
 
-/// Share of the width left at `v` (J equation 22): the twin of `outline` in draw.wgsl.
+/// Share of the width left at `v` (J equation 22): the twin of `outline` in outline.wgsl.
 pub fn outline(shape: Shape, v: f32) -> f32 {
     match shape {
         Shape::Quad => 1.0,
@@ -155,17 +157,18 @@ fn folded_width(ridge: f32) -> f32 {
 }
 
 /// Area of blades over an area of ground, of a whole field: its leaf area index.
-pub fn leaf_area_index(blades: &[Blade], patches: &[Patch]) -> f32 {
-    let leaves: f32 = blades.iter().map(|b| 0.75 * b.height * b.width).sum();
-    let ground: f32 = patches
+fn leaf_area_index(blades: &[Blade], patches: &[Patch]) -> f32 {
+    // In f64: in f32 the sum of a large field stops growing
+    let leaves: f64 = blades.iter().map(|b| 0.75 * f64::from(b.height * b.width)).sum();
+    let ground: f64 = patches
         .iter()
         .map(|patch| {
             let size = patch.root_max - patch.root_min;
             // Its two longest sides: the third is the ground's relief
-            size.x * size.y * size.z / size.min_element().max(1e-6)
+            f64::from((size.x * size.y).max(size.y * size.z).max(size.x * size.z))
         })
         .sum();
-    leaves / ground.max(1e-6)
+    (leaves / ground.max(1e-6)) as f32
 }
 
 /// Share of the sky that reaches the roots (Beer-Lambert), where blades stand every way.
@@ -173,8 +176,16 @@ fn root_openness(leaf_area_index: f32) -> f32 {
     (-0.8 * leaf_area_index).exp().clamp(0.12, 0.85)
 }
 
+/// The species table of a field.
+pub fn species_table(field: &Field) -> Vec<GpuSpecies> {
+    let leaf_area = leaf_area_index(field.blades(), field.patches());
+    let mut table: Vec<_> = field.species().iter().map(|s| gpu_species(s, leaf_area)).collect();
+    table.resize(MAX_SPECIES, GpuSpecies::zeroed());
+    table
+}
+
 /// A species' table entry, in a field of that leaf area index.
-pub fn gpu_species(species: &Species, leaf_area_index: f32) -> GpuSpecies {
+fn gpu_species(species: &Species, leaf_area_index: f32) -> GpuSpecies {
     let range = |r: Range| [r.min, r.max - r.min];
     let full = outline_area(species.shape, 256);
     let (shape, tip) = match species.shape {
@@ -211,4 +222,38 @@ fn pack_color(color: [f32; 3]) -> u32 {
 /// Whether the outline ends in an edge rather than a point.
 pub fn has_flat_tip(species: &Species) -> bool {
     species.shape == Shape::Quad
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{leaf_area_index, root_openness};
+    use crate::grow::{Blade, Patch};
+    use glam::Vec3;
+
+    /// The index of 100 blades on a square metre whose ground is so uneven.
+    fn on_ground(relief_m: f32) -> f32 {
+        let blade = Blade {
+            root: Vec3::ZERO,
+            up: Vec3::Y,
+            facing: 0.0,
+            height: 0.5,
+            width: 0.02,
+            response: 5.0,
+            species: 0,
+        };
+        let size = Vec3::new(1.0, relief_m, 1.0);
+        let (root_min, root_max) = (Vec3::ZERO, size);
+        let (reach_min, reach_max) = (root_min, root_max);
+        let patch = Patch { first: 0, count: 100, root_min, root_max, reach_min, reach_max };
+        leaf_area_index(&[blade; 100], &[patch])
+    }
+
+    #[test]
+    fn level_ground_bears_as_much_as_uneven_ground() {
+        for relief_m in [0.0, 1e-7, 1e-3, 0.2] {
+            let index = on_ground(relief_m);
+            assert!((index - 0.75).abs() < 1e-4, "{relief_m} m: {index}");
+        }
+        assert!(root_openness(0.1) > root_openness(1.0));
+    }
 }

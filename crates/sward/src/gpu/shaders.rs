@@ -14,6 +14,7 @@ const FIELD: &str = part!("shared/field.wgsl");
 const STATE: &str = part!("shared/state.wgsl");
 const VIEW: &str = part!("shared/view.wgsl");
 const BAND: &str = part!("shared/band.wgsl");
+const DRAWS: &str = part!("shared/draws.wgsl");
 const DEPTH_SINGLE: &str = part!("shared/depth_single.wgsl");
 const DEPTH_MULTISAMPLED: &str = part!("shared/depth_multisampled.wgsl");
 const WIND: &str = part!("frame/wind/wind.wgsl");
@@ -84,9 +85,9 @@ impl Shader {
             Self::Cull => &[BAND, VIEW, LEVEL, CULL],
             Self::Update => &[DEPTH_SINGLE],
             Self::UpdateMultisampled => &[DEPTH_MULTISAMPLED],
-            Self::Scan => &[BAND, VIEW, SCAN],
+            Self::Scan => &[BAND, DRAWS, VIEW, SCAN],
             Self::Compact => &[BAND, VIEW, COMPACT],
-            Self::Draw => &[STATE, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW],
+            Self::Draw => &[STATE, DRAWS, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW],
         };
         let mut parts = [&field[..], rest].concat();
         if matches!(self, Self::Update | Self::UpdateMultisampled) {

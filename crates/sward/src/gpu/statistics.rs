@@ -92,6 +92,7 @@ impl ReadBack {
         if self.bytes != bytes {
             self.resize(device, bytes);
         }
+        self.reclaim();
         let Some(slot) = self.slots.iter_mut().find_map(Slot::if_free) else { return };
         self.records += 1;
         slot.record = self.records;
@@ -111,6 +112,19 @@ impl ReadBack {
         encoder.map_buffer_on_submit(&slot.buffer, wgpu::MapMode::Read, .., move |result| {
             state.store(if result.is_ok() { READY } else { FREE }, Ordering::Release);
         });
+    }
+
+    /// Without a free buffer, gives up the oldest that has arrived and was not asked for.
+    fn reclaim(&mut self) {
+        let state = |slot: &Slot| slot.state.load(Ordering::Acquire);
+        if self.slots.iter().any(|slot| state(slot) == FREE) {
+            return;
+        }
+        let arrived = self.slots.iter().filter(|slot| state(slot) == READY);
+        if let Some(oldest) = arrived.min_by_key(|slot| slot.record) {
+            oldest.buffer.unmap();
+            oldest.state.store(FREE, Ordering::Release);
+        }
     }
 
     /// Whether counts are on their way.

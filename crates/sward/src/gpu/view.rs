@@ -7,13 +7,13 @@ use glam::{Mat4, Vec3, Vec4};
 /// Survivors are widened to this many pixels at detail 1.
 pub const LEAST_WIDTH_PX: f32 = 1.4;
 
-const FRUSTUM: u32 = 1;
-const DISTANCE: u32 = 2;
-const ORIENTATION: u32 = 4;
-const OCCLUSION: u32 = 8;
-const PAPER: u32 = 16;
-const WIDTH_CORRECTION: u32 = 32;
-const HAS_DEPTH: u32 = 64;
+pub const FRUSTUM: u32 = 1;
+pub const DISTANCE: u32 = 2;
+pub const ORIENTATION: u32 = 4;
+pub const OCCLUSION: u32 = 8;
+pub const PAPER: u32 = 16;
+pub const WIDTH_CORRECTION: u32 = 32;
+pub const HAS_DEPTH: u32 = 64;
 
 fn normalized_plane(plane: Vec4) -> [f32; 4] {
     let length = plane.truncate().length();
@@ -47,17 +47,35 @@ fn smaller(texture: &wgpu::Texture, size: [u32; 2]) -> bool {
     texture.width() < size[0] || texture.height() < size[1]
 }
 
-fn check(view: &View) -> Result<(), Error> {
-    let finite = (view.clip_from_view * view.view_from_world).is_finite()
-        && view.view_from_world.inverse().is_finite();
-    if !finite {
+fn check_depth(depth: &wgpu::Texture, size: [u32; 2]) -> Result<(), Error> {
+    let bad = |cause: &str| Err(Error::setting("view.opaque_depth", cause));
+    if smaller(depth, size) {
+        return bad("must be at least as large as view.size");
+    }
+    if !depth.format().has_depth_aspect() || depth.dimension() != wgpu::TextureDimension::D2 {
+        return bad("must be a two-dimensional depth texture");
+    }
+    if !depth.usage().contains(wgpu::TextureUsages::TEXTURE_BINDING) {
+        return bad("must be made with TextureUsages::TEXTURE_BINDING");
+    }
+    Ok(())
+}
+
+/// Checks that a view is a camera.
+///
+/// # Errors
+/// [`Error::Setting`] where a matrix is not finite or not invertible, the size is zero, the depth
+/// cannot be read, or detail or distance are not above 0.
+pub fn check_view(view: &View) -> Result<(), Error> {
+    let clip_from_world = view.clip_from_view * view.view_from_world;
+    if !clip_from_world.is_finite() || !clip_from_world.inverse().is_finite() {
         return Err(Error::setting("view", "its matrices must be finite and invertible"));
     }
     if view.size.contains(&0) {
         return Err(Error::setting("view.size", "must be at least 1 x 1 pixels"));
     }
-    if view.opaque_depth.is_some_and(|depth| smaller(depth.texture(), view.size)) {
-        return Err(Error::setting("view.opaque_depth", "must be at least as large as view.size"));
+    if let Some(depth) = view.opaque_depth {
+        check_depth(depth.texture(), view.size)?;
     }
     // NaN is not above 0 either
     let above_zero = |x: f32| x > 0.0;
@@ -67,13 +85,8 @@ fn check(view: &View) -> Result<(), Error> {
     Ok(())
 }
 
-/// The uniform of a view.
-///
-/// # Errors
-/// [`Error::Setting`] where a matrix is not finite or not invertible, the size is zero, or the
-/// depth is smaller.
-pub fn gpu_view(view: &View, capacity: u32) -> Result<GpuView, Error> {
-    check(view)?;
+/// The uniform of a view that [`check_view`] let pass.
+pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
     let clip_from_world = view.clip_from_view * view.view_from_world;
     let world_from_view = view.view_from_world.inverse();
     let clip = view.clip_from_view;
@@ -83,7 +96,7 @@ pub fn gpu_view(view: &View, capacity: u32) -> Result<GpuView, Error> {
         .max(clip.x_axis.x.abs() * view.size[0] as f32 * 0.5);
     let eye: Vec3 = world_from_view.w_axis.truncate();
     let detail = view.detail.clamp(1e-3, 1e6);
-    Ok(GpuView {
+    GpuView {
         clip_from_world: clip_from_world.to_cols_array_2d(),
         eye: eye.extend(if perspective { 1.0 } else { 0.0 }).to_array(),
         depth_row: (-row).to_array(),
@@ -96,5 +109,5 @@ pub fn gpu_view(view: &View, capacity: u32) -> Result<GpuView, Error> {
         max_distance: view.culling.max_distance_m.min(1e30),
         flags: flags(view),
         capacity,
-    })
+    }
 }

@@ -16,7 +16,7 @@ pub(crate) mod tufts;
 mod walk;
 mod weld;
 
-use crate::Error;
+use crate::{Error, Range, Species};
 use glam::Vec3;
 
 /// One plant, unquantised, in world space.
@@ -61,7 +61,7 @@ pub(crate) const FARTHEST_M: f32 = 1e9;
 
 impl Blade {
     /// Checks a blade that was placed by hand; `index` names it in messages.
-    pub(crate) fn check(&self, index: usize, species: usize) -> Result<(), Error> {
+    pub(crate) fn check(&self, index: usize, species: &[Species]) -> Result<(), Error> {
         let bad = |part: &str, cause: String| {
             Err(Error::setting(format!("blades[{index}].{part}"), cause))
         };
@@ -75,14 +75,22 @@ impl Blade {
         if !self.facing.is_finite() {
             return bad("facing", format!("{} is not an angle", self.facing));
         }
-        let parts = [("height", self.height), ("width", self.width), ("response", self.response)];
-        for (part, value) in parts {
-            if !(value > 0.0 && value <= 1000.0) {
-                return bad(part, format!("{value} is out of range; use above 0 to 1000"));
+        let Some(own) = species.get(usize::from(self.species)) else {
+            let cause = format!("{} of {}, counted from 0", self.species, species.len());
+            return bad("species", cause);
+        };
+        // The GPU keeps each as a step in the species' range
+        let parts = [
+            ("height", self.height, own.height_m),
+            ("width", self.width, own.width_m),
+            ("response", self.response, own.response),
+        ];
+        for (part, value, range) in parts {
+            let slack = 1e-4 * range.max;
+            if !(value >= range.min - slack && value <= range.max + slack) {
+                let (name, Range { min, max }) = (&own.name, range);
+                return bad(part, format!("{value} is not within {name}'s {min} to {max}"));
             }
-        }
-        if usize::from(self.species) >= species {
-            return bad("species", format!("{} of {species}, counted from 0", self.species));
         }
         Ok(())
     }

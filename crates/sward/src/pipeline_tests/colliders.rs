@@ -111,10 +111,10 @@ fn sleepers_catch_up() {
             })
             .collect();
         let run = |rig: &mut Rig, view: View| {
-            rig.submit(|renderer, (device, queue), encoder| {
+            rig.submit(|renderer, (device, _), encoder| {
                 for wind in &winds {
                     let frame = Frame::new(dt_s, wind);
-                    renderer.simulate(device, queue, encoder, &frame).expect("valid frame");
+                    renderer.simulate(device, encoder, &frame).expect("valid frame");
                     renderer.cull(device, encoder, &[view]).expect("valid view");
                 }
             });

@@ -210,7 +210,8 @@ proptest! {
     fn a_packed_state_is_near_its_original(seed in any::<u32>()) {
         let blades = decode(&any_way_up(seed, 64));
         let mut draws = Draws::new(seed ^ 0x5a5a);
-        for (model, bound) in [(PhysicsModel::Sward, 1e-6), (PhysicsModel::Paper, 6e-5)] {
+        // A step is 1.2e-7; the chord turns it into more where it changes fast with the lean
+        for (model, bound) in [(PhysicsModel::Sward, 3e-6), (PhysicsModel::Paper, 6e-5)] {
             for b in blades.iter().map(|b| &b.physics) {
                 let lean = draws.unit().as_dvec3() * 1.4;
                 let tip =

@@ -58,12 +58,12 @@ impl Run {
                     wind.clone()
                 })
                 .collect();
-            rig.submit(|renderer, (device, queue), encoder| {
+            rig.submit(|renderer, (device, _), encoder| {
                 for (frame, wind) in frames.clone().zip(&winds) {
                     let spheres = self.spheres(frame);
                     let plain = Frame::new(dt_s, wind);
                     let frame = Frame { physics: self.model, spheres: &spheres, ..plain };
-                    renderer.simulate(device, queue, encoder, &frame).expect("valid frame");
+                    renderer.simulate(device, encoder, &frame).expect("valid frame");
                     renderer.cull(device, encoder, &[see_all()]).expect("valid view");
                 }
             });

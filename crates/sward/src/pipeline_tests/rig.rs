@@ -61,8 +61,8 @@ impl Rig {
     }
 
     pub fn simulate(&mut self, frame: &Frame) {
-        self.submit(|renderer, (device, queue), encoder| {
-            renderer.simulate(device, queue, encoder, frame).expect("valid frame");
+        self.submit(|renderer, (device, _), encoder| {
+            renderer.simulate(device, encoder, frame).expect("valid frame");
         });
     }
 
@@ -73,8 +73,8 @@ impl Rig {
     }
 
     pub fn step(&mut self, frame: &Frame, views: &[View]) {
-        self.submit(|renderer, (device, queue), encoder| {
-            renderer.simulate(device, queue, encoder, frame).expect("valid frame");
+        self.submit(|renderer, (device, _), encoder| {
+            renderer.simulate(device, encoder, frame).expect("valid frame");
             renderer.cull(device, encoder, views).expect("valid views");
         });
     }

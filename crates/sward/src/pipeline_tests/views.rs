@@ -148,8 +148,8 @@ fn absurd_gravity_is_an_error_and_changes_nothing() {
     for gravity in gravities {
         // Refused as a whole: the other model does not take over
         let frame = Frame { gravity, physics: PhysicsModel::Paper, ..Frame::new(0.02, &wind) };
-        let error = rig.submit(|renderer, (device, queue), encoder| {
-            renderer.simulate(device, queue, encoder, &frame).expect_err("no gravity")
+        let error = rig.submit(|renderer, (device, _), encoder| {
+            renderer.simulate(device, encoder, &frame).expect_err("no gravity")
         });
         assert!(matches!(&error, Error::Setting { setting, .. } if setting == "gravity"));
     }

@@ -10,22 +10,28 @@ const LONGEST_STEP_S: f32 = 10.0;
 pub(crate) struct Clock {
     time_s: f64,
     step: u32,
+    dt_s: f32,
 }
 
 impl Default for Clock {
     fn default() -> Self {
         // Step 0 is every new band's: 2 apart, so that it counts as asleep
-        Self { time_s: 0.0, step: 1 }
+        Self { time_s: 0.0, step: 1, dt_s: 0.0 }
     }
 }
 
 impl Clock {
-    /// One step on; returns the seconds that it takes.
-    pub(crate) fn advance(&mut self, dt_s: f32) -> f32 {
+    /// One step on. A step of no number takes no time.
+    pub(crate) fn advance(&mut self, dt_s: f32) {
         let dt_s = if dt_s.is_finite() { dt_s.clamp(0.0, LONGEST_STEP_S) } else { 0.0 };
         self.time_s += f64::from(dt_s);
         self.step = self.step.wrapping_add(1);
-        dt_s
+        self.dt_s = dt_s;
+    }
+
+    /// Seconds that the step takes.
+    pub(crate) fn dt_s(&self) -> f32 {
+        self.dt_s
     }
 
     /// Number of the step.

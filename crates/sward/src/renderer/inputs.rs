@@ -5,7 +5,7 @@ use super::layouts::Layouts;
 use crate::frame::wind::GpuWindSource;
 use crate::gpu::layout::{GpuFrame, MAX_WIND_SOURCES};
 use crate::gpu::{bindings, buffers};
-use crate::{Error, Frame, Gravity, PhysicsModel, Sphere};
+use crate::{Error, Frame, Gravity, Light, PhysicsModel, Sphere};
 use glam::Vec3;
 use wgpu::BufferUsages;
 
@@ -48,6 +48,15 @@ fn check_gravity(gravity: &Gravity) -> Result<(), Error> {
     Err(Error::setting("gravity", "must be finite, and its blend within 0 to 1"))
 }
 
+fn check_light(light: &Light) -> Result<(), Error> {
+    let colors = [light.to_sun, light.sun, light.sky, light.ground, light.haze];
+    let haze = light.haze_per_m;
+    if colors.iter().all(|c| c.is_finite()) && haze.is_finite() && haze >= 0.0 {
+        return Ok(());
+    }
+    Err(Error::setting("light", "must be finite, and haze_per_m not below 0"))
+}
+
 /// Spheres that can touch anything, as the shaders read them.
 fn gpu_spheres(spheres: &[Sphere]) -> Vec<[f32; 4]> {
     spheres
@@ -79,28 +88,25 @@ impl Inputs {
         &self.draw_group
     }
 
-    /// Writes a step's inputs, which [`check`] let pass; returns whether there are spheres.
+    /// Writes a step's inputs, which [`check`] let pass.
     pub(crate) fn write(
         &mut self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         layouts: &Layouts,
         frame: &Frame,
+        Lists { wind, spheres }: &Lists,
         clock: &Clock,
-        dt_s: f32,
-    ) -> bool {
-        let wind = frame.wind.gpu_sources();
-        let spheres = gpu_spheres(frame.spheres);
+    ) {
         if spheres.len() as u64 * 16 > self.spheres.size() {
             self.spheres =
                 sphere_buffer(device, spheres.len().next_power_of_two().min(sphere_room(device)));
             self.group = compute_group(device, layouts, &self.frame, &self.wind, &self.spheres);
         }
-        let uniform = gpu_frame(frame, clock, dt_s, wind.len(), spheres.len());
+        let uniform = gpu_frame(frame, clock, wind.len(), spheres.len());
         buffers::write(device, encoder, &self.frame, bytemuck::bytes_of(&uniform));
-        buffers::write(device, encoder, &self.wind, bytemuck::cast_slice(&wind));
-        buffers::write(device, encoder, &self.spheres, bytemuck::cast_slice(&spheres));
-        !spheres.is_empty()
+        buffers::write(device, encoder, &self.wind, bytemuck::cast_slice(wind));
+        buffers::write(device, encoder, &self.spheres, bytemuck::cast_slice(spheres));
     }
 }
 
@@ -109,13 +115,22 @@ fn sphere_room(device: &wgpu::Device) -> usize {
     (device.limits().max_storage_buffer_binding_size / 16) as usize
 }
 
+/// What a step brings in lists.
+pub(crate) struct Lists {
+    wind: Vec<GpuWindSource>,
+    /// Centre and radius.
+    pub(crate) spheres: Vec<[f32; 4]>,
+}
+
 /// Checks a step's inputs, before anything is changed.
-pub(crate) fn check(device: &wgpu::Device, frame: &Frame) -> Result<(), Error> {
+pub(crate) fn check(device: &wgpu::Device, frame: &Frame) -> Result<Lists, Error> {
     check_gravity(&frame.gravity)?;
-    let sources = frame.wind.gpu_sources().len();
-    at_most("wind", "sward's 64 wind sources", sources, MAX_WIND_SOURCES)?;
-    let (spheres, room) = (gpu_spheres(frame.spheres).len(), sphere_room(device));
-    at_most("spheres", "max_storage_buffer_binding_size / 16", spheres, room)
+    check_light(&frame.light)?;
+    let (wind, spheres) = (frame.wind.gpu_sources(), gpu_spheres(frame.spheres));
+    at_most("wind", "sward's 64 wind sources", wind.len(), MAX_WIND_SOURCES)?;
+    let room = sphere_room(device);
+    at_most("spheres", "max_storage_buffer_binding_size / 16", spheres.len(), room)?;
+    Ok(Lists { wind, spheres })
 }
 
 fn at_most(what: &str, limit: &'static str, asked: usize, available: usize) -> Result<(), Error> {
@@ -131,7 +146,7 @@ fn at_most(what: &str, limit: &'static str, asked: usize, available: usize) -> R
     })
 }
 
-fn gpu_frame(frame: &Frame, clock: &Clock, dt_s: f32, wind: usize, spheres: usize) -> GpuFrame {
+fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, spheres: usize) -> GpuFrame {
     let with = |v: Vec3, w: f32| v.extend(w).to_array();
     let (gravity, light) = (&frame.gravity, &frame.light);
     GpuFrame {
@@ -142,7 +157,7 @@ fn gpu_frame(frame: &Frame, clock: &Clock, dt_s: f32, wind: usize, spheres: usiz
         sky: with(light.sky, 0.0),
         ground: with(light.ground, 0.0),
         haze: with(light.haze, light.haze_per_m),
-        dt_s,
+        dt_s: clock.dt_s(),
         gravity_blend: gravity.blend,
         crush_decay: CRUSH_DECAY,
         physics_model: match frame.physics {

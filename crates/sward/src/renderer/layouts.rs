@@ -18,7 +18,7 @@ pub(crate) struct Layouts {
     pub(crate) draw: BindGroupLayout,
     pub(crate) depth: BindGroupLayout,
     pub(crate) depth_multisampled: BindGroupLayout,
-    /// A depth that hides nothing.
+    /// Stands in where a view has no depth; never read.
     pub(crate) no_depth: wgpu::BindGroup,
 }
 

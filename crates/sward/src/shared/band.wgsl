@@ -14,3 +14,13 @@ struct GpuBand {
     reserved_b: u32,
     reserved_c: u32,
 }
+
+// Bands of one block of the scan.
+const BLOCK: u32 = 256u;
+
+struct GpuBlock {
+    // Survivors by bucket; after scan_totals, the place of the block's first one in the list
+    buckets: array<u32, 8>,
+    // Failed tests: orientation, frustum, distance, occlusion; sphere tests; 3 unused
+    counted: array<u32, 8>,
+}

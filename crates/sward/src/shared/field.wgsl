@@ -14,7 +14,7 @@ struct GpuPatch {
     edge: f32,
     // Box of every pose
     reach_min: vec3<f32>,
-    max_height: f32,
+    reserved: f32,
     reach_max: vec3<f32>,
     max_width: f32,
 }
@@ -46,6 +46,8 @@ struct GpuSpecies {
 
 const BAND: u32 = 64u;
 const BUCKETS: u32 = 8u;
+// Words of a patch's list of near spheres: a count and up to 31 indices
+const NEAR_STRIDE: u32 = 32u;
 
 fn bands_per_patch() -> u32 {
     return field.patch_size / BAND;

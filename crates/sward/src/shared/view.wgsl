@@ -38,8 +38,20 @@ fn has(flag: u32) -> bool {
     return (view.flags & flag) != 0u;
 }
 
+// Metres from the eye; of an orthographic view, from the plane of its eye.
 fn distance_to(p: vec3<f32>) -> f32 {
+    if view.eye.w < 0.5 {
+        return abs(dot(view.depth_row.xyz, p) + view.depth_row.w);
+    }
     return distance(p, view.eye.xyz);
+}
+
+// Unit direction in which the view sees a point.
+fn view_ray(p: vec3<f32>) -> vec3<f32> {
+    if view.eye.w < 0.5 {
+        return view.depth_row.xyz;
+    }
+    return (p - view.eye.xyz) / max(distance_to(p), 1e-6);
 }
 
 // Pixels that a metre covers at a distance; the same wherever the camera turns.

@@ -2,6 +2,7 @@
 
 use crate::device;
 use bytemuck::{Pod, Zeroable};
+use sward::Wind;
 use sward::frame::physics::twin::{Blade, State, Surroundings};
 use wgpu::util::DeviceExt;
 
@@ -22,7 +23,7 @@ const SHADER: &str = concat!(
 struct GpuFrame {
     gravity_direction: [f32; 4],
     gravity_center: [f32; 4],
-    light: [[f32; 4]; 4],
+    light: [[f32; 4]; 5],
     dt_s: f32,
     gravity_blend: f32,
     crush_decay: f32,
@@ -119,13 +120,13 @@ impl PhysicsPass {
         let storage = wgpu::BufferUsages::STORAGE;
         let mut wind = around.wind.gpu_sources();
         let frame = self.frame(around, wind.len(), model);
-        wind.resize(wind.len().max(1), Zeroable::zeroed());
+        wind.resize(Wind::MAX_SOURCES, Zeroable::zeroed());
         let mut spheres: Vec<[f32; 4]> =
             around.spheres.iter().map(|s| s.center.extend(s.radius).to_array()).collect();
         spheres.resize(spheres.len().max(1), [0.0; 4]);
         let bytes = bytemuck::bytes_of(&frame);
         let frame = buffer(&self.device, bytes, wgpu::BufferUsages::UNIFORM);
-        let wind = buffer(&self.device, bytemuck::cast_slice(&wind), storage);
+        let wind = buffer(&self.device, bytemuck::cast_slice(&wind), wgpu::BufferUsages::UNIFORM);
         let spheres = buffer(&self.device, bytemuck::cast_slice(&spheres), storage);
         let gaps = buffer(&self.device, bytemuck::cast_slice(gaps_s), storage);
         let group0 = self.group(0, &[&frame, &wind, &spheres]);
@@ -146,7 +147,7 @@ impl PhysicsPass {
         GpuFrame {
             gravity_direction: gravity.direction.extend(gravity.strength).to_array(),
             gravity_center: gravity.center.extend(gravity.center_strength).to_array(),
-            light: [[0.0; 4]; 4],
+            light: [[0.0; 4]; 5],
             dt_s: around.dt_s as f32,
             gravity_blend: gravity.blend,
             crush_decay: around.crush_decay as f32,

@@ -29,3 +29,13 @@ fn main(@builtin(global_invocation_id) thread: vec3<u32>) {
         }
     }
 }
+
+// The tip of an undisturbed blade: the equilibrium of recovery and gravity.
+fn rest_tip(blade: Blade) -> vec3<f32> {
+    let dt_s = 0.5 / blade.response;
+    var tip = blade.up;
+    for (var i = 0u; i < 32u; i++) {
+        tip = substep(blade, tip, vec3<f32>(0.0), blade.response, dt_s);
+    }
+    return select(blade.up, tip, is_finite3(tip));
+}

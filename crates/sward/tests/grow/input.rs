@@ -166,8 +166,8 @@ fn blades_placed_by_hand_are_checked() {
         root: Vec3::ZERO,
         up: Vec3::Y,
         facing: 0.0,
-        height: 1.0,
-        width: 0.1,
+        height: 0.4,
+        width: 0.01,
         response: 5.0,
         species: 0,
     };
@@ -183,6 +183,9 @@ fn blades_placed_by_hand_are_checked() {
         ("up", Blade { up: Vec3::NAN, ..good }),
         ("facing", Blade { facing: f32::NAN, ..good }),
         ("height", Blade { height: 0.0, ..good }),
+        // Beyond the species' range, which the GPU's steps cannot say
+        ("height", Blade { height: 0.6, ..good }),
+        ("width", Blade { width: 0.001, ..good }),
         ("width", Blade { width: f32::NAN, ..good }),
         ("response", Blade { response: f32::INFINITY, ..good }),
         ("species", Blade { species: 1, ..good }),

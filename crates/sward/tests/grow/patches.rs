@@ -3,7 +3,7 @@ use glam::{Quat, Vec3};
 use proptest::prelude::*;
 use std::collections::HashSet;
 use sward::grow::Blade;
-use sward::{BladeOrder, Field, FieldDesc, Metric, Species};
+use sward::{BladeOrder, Field, FieldDesc, Metric, Range, Species};
 
 #[test]
 fn patches_have_equal_counts_and_hold_every_blade_once() {
@@ -177,8 +177,13 @@ proptest! {
         let blade = Blade {
             root: root * 10.0, up, facing: 1.0, height, width, response: 5.0, species: 0,
         };
+        let kind = Species {
+            height_m: Range::new(height, height),
+            width_m: Range::new(width, width),
+            ..Species::default()
+        };
         let field = Field::from_blades(
-            vec![Species::default()], &[blade], 64, Metric::Euclidean, BladeOrder::Progressive,
+            vec![kind], &[blade], 64, Metric::Euclidean, BladeOrder::Progressive,
         ).unwrap();
         let (low, high) = field.bounds();
         // Mirror the direction to the upper side of the root plane.

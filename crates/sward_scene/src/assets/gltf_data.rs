@@ -168,18 +168,20 @@ impl Data<'_> {
             normalized: accessor.normalized(),
             components,
         };
-        let mut rows = vec![[fill; N]; count];
+        let mut rows = Vec::new();
         if let Some(view) = accessor.view() {
             let size = components * accessor.data_type().size();
             let stride = view.stride().unwrap_or(size);
             let bytes = self.view(&view, accessor.offset())?;
+            // Before room is made: a small file can ask for gigabytes
             check_extent(bytes, count, stride, size, index)?;
+            rows = vec![[fill; N]; count];
             let elements = layout(bytes, stride, accessor.data_type());
             for (i, row) in rows.iter_mut().enumerate() {
                 fill_row(row, &elements, i);
             }
         } else {
-            rows.fill([0.0; N]);
+            rows.resize(count, [0.0; N]);
         }
         if let Some(sparse) = accessor.sparse() {
             let size = components * accessor.data_type().size();

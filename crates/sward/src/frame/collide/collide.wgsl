@@ -2,10 +2,9 @@
 
 @group(2) @binding(0) var<storage, read_write> near: array<u32>;
 @group(2) @binding(1) var<storage, read_write> work: array<vec2<u32>>;
-// Dispatch size, then: spheres beyond the lists
+// Dispatch size in words 0 to 2; word 4 visible blades, word 5 spheres beyond the lists
 @group(2) @binding(2) var<storage, read_write> work_size: array<atomic<u32>, 8>;
 
-const NEAR_STRIDE: u32 = 32u;
 
 @compute @workgroup_size(64)
 fn collide(@builtin(global_invocation_id) thread: vec3<u32>) {

@@ -1,18 +1,11 @@
 // Survivors to their places in the draw list, band by band.
 
-struct GpuBlock {
-    buckets: array<u32, 8>,
-    counted: array<u32, 8>,
-}
-
 @group(2) @binding(1) var<storage, read> bands: array<GpuBand>;
 @group(2) @binding(2) var<storage, read> blocks: array<GpuBlock>;
 @group(2) @binding(3) var<storage, read> work: array<vec2<u32>>;
 @group(2) @binding(4) var<storage, read> decisions: array<u32>;
 // Blade 22 bits, morph 5, fade 5
 @group(2) @binding(5) var<storage, read_write> list: array<u32>;
-
-const BLOCK: u32 = 256u;
 
 var<workgroup> masks: array<atomic<u32>, 16>;
 

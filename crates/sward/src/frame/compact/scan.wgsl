@@ -1,20 +1,5 @@
 // Offsets of the survivors, by prefix sums over the bands: the same frame gives the same list.
 
-struct GpuBlock {
-    // Survivors by bucket; after scan_totals, the place of the block's first one in the list
-    buckets: array<u32, 8>,
-    // Failed tests: orientation, frustum, distance, occlusion; sphere tests; 3 unused
-    counted: array<u32, 8>,
-}
-
-struct GpuDraw {
-    // Range of the list
-    start: u32,
-    count: u32,
-    dropped: u32,
-    reserved: u32,
-}
-
 struct IndirectDraw {
     index_count: u32,
     instance_count: u32,
@@ -30,8 +15,6 @@ struct IndirectDraw {
 @group(2) @binding(5) var<storage, read_write> counted: array<u32, 8>;
 // Indices that one blade takes in each bucket
 @group(2) @binding(6) var<uniform> blade_indices: array<vec4<u32>, 2>;
-
-const BLOCK: u32 = 256u;
 
 var<workgroup> sums: array<vec4<u32>, 256>;
 var<workgroup> failed: array<atomic<u32>, 8>;

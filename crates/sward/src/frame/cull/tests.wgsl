@@ -44,13 +44,6 @@ fn fails_frustum(pose: Pose, width: f32) -> bool {
     return ball_outside(pose, width);
 }
 
-fn view_ray(p: vec3<f32>) -> vec3<f32> {
-    if view.eye.w < 0.5 {
-        return view.depth_row.xyz;
-    }
-    return (p - view.eye.xyz) / max(distance_to(p), 1e-6);
-}
-
 // Equation 17: seen along its width.
 fn fails_orientation_paper(blade: Blade) -> bool {
     let side = cross(blade.up, blade.facing);
@@ -68,7 +61,7 @@ fn shown_width(blade: Blade, pose: Pose, width_px: f32, ridge: f32) -> f32 {
     return width_px * max(flat_part, 0.5 * ridge);
 }
 
-// Equations 19 and 20: thins by distance along the ground, in even steps of `rank`.
+// Equations 19 and 20: thins by distance along the ground, in even steps of `local`.
 fn fails_distance_paper(blade: Blade, local: u32) -> bool {
     let n = 16u;
     let offset = blade.root - view.eye.xyz;

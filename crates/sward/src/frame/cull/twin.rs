@@ -33,6 +33,9 @@ impl Pose {
 }
 
 fn distance_to(view: &GpuView, p: Vec3) -> f32 {
+    if view.eye[3] < 0.5 {
+        return Vec4::from(view.depth_row).dot(p.extend(1.0)).abs();
+    }
     p.distance(Vec4::from(view.eye).truncate())
 }
 

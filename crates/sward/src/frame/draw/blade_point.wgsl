@@ -9,13 +9,6 @@ override FLAT_TIP: bool = false;
 // Vertices a blade
 override VERTICES: u32 = 17u;
 
-struct GpuDraw {
-    start: u32,
-    count: u32,
-    dropped: u32,
-    reserved: u32,
-}
-
 @group(1) @binding(4) var<storage, read> dynamics: array<vec2<u32>>;
 @group(2) @binding(1) var<storage, read> list: array<u32>;
 @group(2) @binding(2) var<storage, read> draws: array<GpuDraw, 8>;
@@ -68,7 +61,7 @@ struct BladePoint {
 
 fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     var out: BladePoint;
-    let slot = instance * 64u + vertex / VERTICES;
+    let slot = instance * BAND + vertex / VERTICES;
     if slot >= draws[BUCKET].count {
         out.hidden = true;
         return out;
@@ -105,7 +98,7 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
         let lift = form.x * select(1.0 - morph, 1.0, BUCKET % 4u == 0u) * ring.share;
         position += normal * (width * lift * (0.5 - abs(corner.u - 0.5)));
     }
-    if dot(normal, view.eye.xyz - position) < 0.0 {
+    if dot(normal, view_ray(position)) > 0.0 {
         normal = -normal;
     }
     out.clip = view.clip_from_world * vec4<f32>(position, 1.0);

@@ -22,16 +22,14 @@ struct FarVertex {
 const HIDDEN: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);
 
 fn lit(point: BladePoint) -> vec3<f32> {
-    let offset = view.eye.xyz - point.position;
-    let away = length(offset);
-    let to_eye = offset / max(away, 1e-6);
+    let to_eye = -view_ray(point.position);
     var surface: BladeSurface;
     surface.albedo = point.albedo;
     surface.normal = unit_or(point.normal, point.up);
     surface.up = point.up;
     surface.height_share = point.height_share;
     surface.root_open = point.root_open;
-    return with_haze(shade_blade(surface, to_eye), away);
+    return with_haze(shade_blade(surface, to_eye), distance_to(point.position));
 }
 
 @vertex

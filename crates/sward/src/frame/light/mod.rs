@@ -1,1 +1,1 @@
-//! WGSL functions of the light stage, which `update` and `draw` call.
+//! WGSL functions of the light stage, which `draw` calls.

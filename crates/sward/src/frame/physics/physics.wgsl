@@ -134,13 +134,3 @@ fn sound_state(blade: Blade, state: BladeState) -> BladeState {
     }
     return BladeState(blade.up, 0.0);
 }
-
-// The tip of an undisturbed blade: the equilibrium of recovery and gravity.
-fn rest_tip(blade: Blade) -> vec3<f32> {
-    let dt_s = 0.5 / blade.response;
-    var tip = blade.up;
-    for (var i = 0u; i < 32u; i++) {
-        tip = substep(blade, tip, vec3<f32>(0.0), blade.response, dt_s);
-    }
-    return select(blade.up, tip, is_finite3(tip));
-}

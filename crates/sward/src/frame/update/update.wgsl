@@ -11,7 +11,6 @@ override TEST: bool = true;
 // Two blades a word, 16 bits each: bucket 4, morph 5, fade 5
 @group(2) @binding(5) var<storage, read_write> decisions: array<u32>;
 
-const NEAR_STRIDE: u32 = 32u;
 const NO_BUCKET: u32 = 15u;
 
 fn near_sphere(slot: u32) -> vec4<f32> {
@@ -170,6 +169,8 @@ fn update(
         vote(lane, decision);
     }
     workgroupBarrier();
+    // All have read the band before it is written
+    storageBarrier();
     if lane == 0u {
         if stale {
             bands[band_index].step = frame.step;
