@@ -55,6 +55,8 @@ struct BladePoint {
     up: vec3<f32>,
     height_share: f32,
     root_open: f32,
+    // 0 upright, 1 flat
+    lean: f32,
     // Beyond the end of the list
     hidden: bool,
 }
@@ -108,10 +110,8 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     out.albedo = blade_color(blade, corner.v * (1.5 - 0.5 * corner.v) - 0.5 * ring.bend);
     out.up = blade.up;
     out.root_open = form.z;
-    // A blade at rest runs so along its curve parameter. One that lies over its neighbours is in the
-    // light along its length: so a gust shows as it passes
-    let at_rest = corner.v * (2.0 - corner.v) - ring.bend;
-    let flat_tip = state.tip - blade.up * dot(state.tip, blade.up);
-    out.height_share = at_rest + (1.0 - at_rest) * 0.7 * min(dot(flat_tip, flat_tip), 1.0);
+    // A blade at rest runs so along its curve parameter
+    out.height_share = corner.v * (2.0 - corner.v) - ring.bend;
+    out.lean = min(length(state.tip - blade.up * dot(state.tip, blade.up)), 1.0);
     return out;
 }

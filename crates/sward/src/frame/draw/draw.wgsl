@@ -11,6 +11,7 @@ struct NearVertex {
     @location(3) @interpolate(perspective, centroid) height_share: f32,
     @location(4) @interpolate(flat) up: vec3<f32>,
     @location(5) @interpolate(flat) root_open: f32,
+    @location(6) @interpolate(flat) lean: f32,
 }
 
 struct FarVertex {
@@ -29,6 +30,7 @@ fn lit(point: BladePoint) -> vec3<f32> {
     surface.up = point.up;
     surface.height_share = point.height_share;
     surface.root_open = point.root_open;
+    surface.lean = point.lean;
     return with_haze(shade_blade(surface, to_eye), distance_to(point.position));
 }
 
@@ -50,6 +52,7 @@ fn vs_near(
     out.height_share = point.height_share;
     out.up = point.up;
     out.root_open = point.root_open;
+    out.lean = point.lean;
     return out;
 }
 
@@ -62,6 +65,7 @@ fn fs_near(in: NearVertex) -> @location(0) vec4<f32> {
     point.up = in.up;
     point.height_share = in.height_share;
     point.root_open = in.root_open;
+    point.lean = in.lean;
     return vec4<f32>(lit(point), 1.0);
 }
 

@@ -10,7 +10,12 @@ struct BladeSurface {
     height_share: f32,
     // Share of the sky that reaches the roots
     root_open: f32,
+    // How far the blade lies over: 0 upright, 1 flat
+    lean: f32,
 }
+
+// Share of the sky's light that a blade lying flat mirrors.
+const SKY_SHEEN: f32 = 0.08;
 
 // Share of the sky that the canopy lets through to a height in it.
 fn canopy_open(height_share: f32, root_open: f32) -> f32 {
@@ -20,7 +25,11 @@ fn canopy_open(height_share: f32, root_open: f32) -> f32 {
 
 fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
     let to_sun = frame.to_sun.xyz;
-    let open = canopy_open(surface.height_share, surface.root_open);
+    // One that lies over its neighbours is in the light along its length, and its glossy side
+    // mirrors the sky: so a gust shows as it passes
+    let over = smoothstep(0.15, 0.75, surface.lean);
+    let share = mix(surface.height_share, 1.0, 0.7 * over);
+    let open = canopy_open(share, surface.root_open);
     let facing_sun = dot(surface.normal, to_sun);
     let reflected = max(facing_sun, 0.0);
     // Light through the leaf is yellower than light off it, and strongest against the sun
@@ -36,6 +45,7 @@ fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
     let shine = max(dot(surface.normal, h), 0.0);
     let shine4 = shine * shine * shine * shine;
     color += sun_light * (shine4 * shine4 * shine4 * 0.05);
+    color += frame.sky.rgb * (over * open * SKY_SHEEN);
     let upward = 0.5 + 0.5 * dot(surface.normal, surface.up);
     let around = mix(frame.ground.rgb, frame.sky.rgb, upward);
     return color + surface.albedo * around * open;
