@@ -176,6 +176,14 @@ fn the_shader_packs_states_as_the_reference() {
     }
 }
 
+/// The blade with axes that are unit and square in f64 too. Decoded in f32 they are not quite, and a
+/// tip on its root plane may then lie under it, where no state can be.
+fn exact_frame(blade: &crate::frame::physics::twin::Blade) -> crate::frame::physics::twin::Blade {
+    let up = blade.up.normalize();
+    let facing = (blade.facing - up * blade.facing.dot(up)).normalize();
+    crate::frame::physics::twin::Blade { up, facing, ..*blade }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
@@ -210,9 +218,8 @@ proptest! {
     fn a_packed_state_is_near_its_original(seed in any::<u32>()) {
         let blades = decode(&any_way_up(seed, 64));
         let mut draws = Draws::new(seed ^ 0x5a5a);
-        // A step is 1.2e-7; the chord turns it into more where it changes fast with the lean
-        for (model, bound) in [(PhysicsModel::Sward, 3e-6), (PhysicsModel::Paper, 6e-5)] {
-            for b in blades.iter().map(|b| &b.physics) {
+        for (model, bound) in [(PhysicsModel::Sward, 1e-6), (PhysicsModel::Paper, 6e-5)] {
+            for b in &blades.iter().map(|b| exact_frame(&b.physics)).collect::<Vec<_>>() {
                 let lean = draws.unit().as_dvec3() * 1.4;
                 let tip =
                     crate::shared::curve_twin::project_tip(b.up + lean, b.up, b.facing, b.arch);
