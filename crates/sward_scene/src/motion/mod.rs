@@ -57,7 +57,8 @@ impl Path {
 
     /// From a scene's keys.
     pub(crate) fn from_file(file: &PathFile, key: &Key) -> Result<Self, Problem> {
-        let (count, keys_at) = (file.keys.len(), if file.listed { key.clone() } else { key.at("keys") });
+        let (count, keys_at) =
+            (file.keys.len(), if file.listed { key.clone() } else { key.at("keys") });
         if count == 0 {
             return Err(keys_at.problem("is empty: give at least one key, (time_s, x, y, z)"));
         }

@@ -60,7 +60,9 @@ impl<'de> Visitor<'de> for PathVisitor {
     type Value = PathFile;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str("a path: [(time_s, x, y, z), ...] or (keys: [...], smooth: true, repeat: false)")
+        f.write_str(
+            "a path: [(time_s, x, y, z), ...] or (keys: [...], smooth: true, repeat: false)",
+        )
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<PathFile, A::Error> {
