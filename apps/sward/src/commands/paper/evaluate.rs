@@ -2,7 +2,7 @@
 
 use super::quantity::{Condition, SceneName};
 use crate::commands::grow_timed;
-use crate::measure::{self, Measured, Report, warm_up_frames};
+use crate::measure::{self, Measured, Report, frames_run};
 use crate::progress;
 use anyhow::{Context, Result};
 use image::RgbImage;
@@ -24,7 +24,7 @@ pub struct Settings {
 impl Settings {
     /// Number of the frame, at 60 a second from the scene's time 0, that was counted and drawn.
     pub fn counted_frame(&self) -> u32 {
-        warm_up_frames(self.frames) + 2 * self.frames
+        frames_run(self.frames)
     }
 }
 

@@ -87,15 +87,15 @@ impl Results {
                 if samples == 1 { "sample a pixel" } else { "samples a pixel" }
             ),
             format!(
-                "Each scene runs at 60 frames a second of its own time, from its time 0. Frames 1 to \
-                 {warm_up} are not measured; whole frames are {} to {}, recorded as a program \
-                 would; frames {} to {counted} are run stage by stage, each submitted and waited \
-                 for, so their sum is above a whole frame. Times are medians over {frames} frames \
+                "Each scene runs at 60 frames a second of its own time, from its time 0. Whole \
+                 frames, recorded as a program would, are measured from {} to {}; frames {} to \
+                 {counted} are run stage by stage, each submitted and waited for, so their sum is \
+                 above a whole frame. Times are medians over {frames} frames \
                  with the 99th percentile behind them, by wall clock; frames a second are those of \
                  the median whole frame. Counts are of frame {counted}.",
                 warm_up + 1,
                 warm_up + frames,
-                warm_up + frames + 1,
+                warm_up + frames + 2,
             ),
             "Physics is wind, collision and the motion of blades; visibility is the culling of \
              patches and blades, the choice of levels and the draw lists; draw is the opaque \
@@ -105,8 +105,8 @@ impl Results {
              counts in both, as in the paper. So 'culled by any of them' and 'blades drawn' add up \
              to 'blades in visible patches', and the four tests may add up to more."
                 .into(),
-            "Table 2 has the content of the paper's table 2. That one of the other three has one \
-             condition each is our own arrangement: the print was not at hand."
+            "The print was not at hand. That its table 2 counts culled blades by test is known at \
+             second hand; that tables 1, 3 and 4 have one condition each is our own arrangement."
                 .into(),
             format!("'{UNKNOWN}': {}", self.published.missing),
         ]
@@ -198,19 +198,25 @@ impl Results {
 
     /// Where the numbers of the paper's columns come from, one line each.
     pub fn sources(&self) -> Vec<String> {
-        let mut lines = Vec::new();
+        let mut lines: Vec<(String, Vec<String>)> = Vec::new();
         for (number, _, condition, quantities) in LAYOUTS {
-            for scene in SceneName::ALL {
-                for &quantity in quantities {
-                    let Some((_, source)) = self.published.get(scene, condition, quantity) else {
-                        continue;
-                    };
-                    let (scene, quantity) = (scene.key(), quantity.name());
-                    lines.push(format!("Table {number}, {scene}, {quantity}: {source}."));
+            let cells = SceneName::ALL.into_iter();
+            for (scene, &quantity) in cells.flat_map(|s| quantities.iter().map(move |q| (s, q))) {
+                let Some((_, source)) = self.published.get(scene, condition, quantity) else {
+                    continue;
+                };
+                let line = format!("{}, {}: {source}", scene.key(), quantity.name());
+                match lines.iter_mut().find(|(known, _)| *known == line) {
+                    Some((_, tables)) => tables.push(number.to_string()),
+                    None => lines.push((line, vec![number.to_string()])),
                 }
             }
         }
-        lines
+        let one = |(line, tables): (String, Vec<String>)| match tables.as_slice() {
+            [table] => format!("{line} (table {table})."),
+            tables => format!("{line} (tables {}).", tables.join(", ")),
+        };
+        lines.into_iter().map(one).collect()
     }
 
     /// `tables.md`.
