@@ -71,10 +71,10 @@
 //!
 //! # Units and spaces
 //! Metres, seconds, radians where a name does not say degrees (`_deg`). World space is right-handed;
-//! heights and slopes are measured along y. Views look along -z, and clip
-//! z runs from 0 (near) to w (far). Colours and light are linear, with the primaries of sRGB; the
-//! picture needs tone mapping and encoding by the host. The strength of wind is relative: 0.4 is a
-//! breeze, 1.2 a strong gust, for turf and reed alike.
+//! heights and slopes are measured along y. Views look along -z, and clip z runs from 0 (near) to w
+//! (far). Colours and light are linear, with the primaries of sRGB; the picture needs tone mapping
+//! and encoding by the host. The strength of wind is relative: 0.4 is a breeze, 1.2 a strong gust,
+//! for turf and reed alike.
 
 pub mod collider;
 pub mod error;

@@ -54,9 +54,9 @@ pub struct Gusts {
     pub seed: u32,
 }
 
-/// A wind that swings to and fro: `direction * strength * cos(omega T - k x)`. This is equation 4 of
-/// D. Wang and others' grassland paper, "W" in the project's list of equations, whose print lacks
-/// the time T; the phase by position is ours, as without it a whole meadow nods in unison.
+/// A wind that swings to and fro: `direction * strength * cos(omega T - k x)`, equation 4 of Wang and
+/// Yao (2023), whose print lacks the time T. The phase by position is ours, as without it a whole
+/// meadow nods in unison.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cosine {
     /// Where the wind blows to first, in the xz plane; must not be zero.
@@ -66,7 +66,7 @@ pub struct Cosine {
     /// Seconds from one swing to the next, 0.01..=10000.
     pub period_s: f32,
     /// Distance along the direction after which the swing is the same again, metres, 0.01 or more;
-    /// infinite moves all blades in unison, as W prints it. It shows as straight stripes: for a
+    /// infinite moves all blades in unison, as the paper prints it. It shows as straight stripes: for a
     /// natural wind take [`Waves`].
     pub wavelength_m: f32,
 }

@@ -101,7 +101,7 @@ impl Source {
         DVec2::from_angle(veer).rotate(self.direction) * strength
     }
 
-    /// W's equation 4, with a phase by position.
+    /// Wang and Yao's equation 4, with a phase by position.
     fn cosine(&self, at: DVec2, seconds_ago: f64) -> DVec2 {
         let phase = self.phase.x - self.rate * seconds_ago - self.frequency * at.x;
         self.direction * (self.strength.x * phase.cos())

@@ -43,7 +43,7 @@ fn gust_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -
     return (source.direction * cos(veer) + across * sin(veer)) * strength;
 }
 
-// W's equation 4, with a phase by position.
+// Wang and Yao's equation 4, with a phase by position.
 fn cosine_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec2<f32> {
     let along = dot(position.xz, source.direction);
     let turn = (source.phase.x - source.rate * seconds_ago - source.frequency * along) / TAU;
