@@ -26,7 +26,7 @@ use sward::{
     Collider, ColliderShape, Culling, Field, Frame, Light, PhysicsModel, Pose, Renderer,
     Statistics, View, Wind,
 };
-use sward_scene::{Camera, MovingSphere, Scene};
+use sward_scene::{Camera, MovingSphere, Scene, SceneWind};
 use targets::Targets;
 
 /// Renders a side that a reference adds up: 8 x 8 places inside a pixel, one sample each.
@@ -83,6 +83,7 @@ pub struct Stage {
     opaque: Opaque,
     passes: Passes,
     wind: Wind,
+    wind_paths: Vec<SceneWind>,
     light: Light,
     gravity: sward::Gravity,
     spheres: Vec<MovingSphere>,
@@ -126,7 +127,8 @@ impl Stage {
             uniform,
             opaque,
             passes,
-            wind: Wind::new(scene.wind.clone())?,
+            wind: Wind::new(scene.wind_at(-scene.warm_up_s))?,
+            wind_paths: scene.wind.clone(),
             light,
             gravity: scene.gravity,
             spheres: scene.spheres.clone(),
@@ -219,8 +221,9 @@ impl Stage {
     /// Where wind or spheres are more than fit, or not finite.
     pub fn encode_simulate(&mut self, encoder: &mut wgpu::CommandEncoder, dt_s: f64) -> Result<()> {
         self.time_s += dt_s;
-        self.wind.advance(dt_s);
         let time_s = self.time_s as f32;
+        self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(time_s)).collect();
+        self.wind.advance(dt_s);
         let placements = meshes::sphere_placements(&self.spheres, time_s);
         if self.opaque.move_spheres(&self.gpu.queue, placements) {
             self.depth_is_opaque = false;

@@ -86,7 +86,7 @@ fn on_gpu(winds: &[Wind], asked: &[[f32; 4]]) -> Vec<Vec<Vec3>> {
 fn sources() -> Vec<WindSource> {
     let at = vec3(3.0, 6.0, -2.0);
     let velocity = vec3(2.0, -0.5, 1.5);
-    let direction = vec3(0.4, -0.3, 1.0);
+    let fan = Fan { velocity, direction: vec3(1.0, -0.1, 0.2), radius_m: 2.0, ..Fan::default() };
     let (level, seed) = (vec2(1.0, 0.3), 9);
     vec![
         WindSource::Waves(Waves { direction: level, ..Waves::default() }),
@@ -97,7 +97,7 @@ fn sources() -> Vec<WindSource> {
         WindSource::Rotor(Rotor { rpm: -90.0, blades: 5, pulse: 0.9, seed, ..Rotor::default() }),
         WindSource::Vortex(Vortex { position: at, velocity, clockwise: true, ..Vortex::default() }),
         WindSource::Vortex(Vortex { radius_m: 0.5, turbulence: 1.0, seed, ..Vortex::default() }),
-        WindSource::Fan(Fan { position: at, velocity, direction, range_m: 30.0, ..Fan::default() }),
+        WindSource::Fan(Fan { position: vec3(-9.0, 2.0, 0.0), range_m: 40.0, ..fan }),
         WindSource::Fan(Fan { direction: Vec3::NEG_Y, turbulence: 0.0, ..Fan::default() }),
     ]
 }
@@ -140,6 +140,6 @@ fn every_kind_equals_its_reference() {
         }
         println!("{:.40}: worst {worst:.1e} of {peak:.2}", format!("{:?}", wind.sources));
         assert!(peak > 0.3, "{:?} is felt nowhere", wind.sources);
-        assert!(worst < 2e-3, "{:?}: {worst}", wind.sources);
+        assert!(worst < 5e-4, "{:?}: {worst}", wind.sources);
     }
 }
