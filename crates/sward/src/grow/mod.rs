@@ -14,7 +14,7 @@ pub mod surface;
 pub mod terrain;
 pub(crate) mod tufts;
 mod walk;
-mod weld;
+pub(crate) mod weld;
 
 use crate::{Error, Range, Species};
 use glam::Vec3;
