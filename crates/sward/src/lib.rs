@@ -44,8 +44,8 @@
 //! [`Renderer::add_field`], which quantises and uploads.
 //!
 //! Each frame, on the GPU, with nothing read back on the way:
-//! 1. [`Renderer::simulate`] takes time, wind, spheres, gravity and light, and moves the blades of the
-//!    patches that spheres touch.
+//! 1. [`Renderer::simulate`] takes time, wind, colliders, gravity and light, and moves the blades of the
+//!    patches that they touch.
 //! 2. [`Renderer::cull`] lists for each [`View`] the patches that it sees, then moves, tests and
 //!    grades their blades, and makes the draw lists.
 //! 3. [`Renderer::draw`] draws a view's lists, one indirect draw for each level of detail.
@@ -76,6 +76,7 @@
 //! picture needs tone mapping and encoding by the host. The strength of wind is relative: 0.4 is a
 //! breeze, 1.2 a strong gust, for turf and reed alike.
 
+pub mod collider;
 pub mod error;
 pub mod field;
 pub mod frame;
@@ -92,6 +93,7 @@ pub mod view;
 #[cfg(test)]
 mod pipeline_tests;
 
+pub use collider::{Collider, ColliderShape, Pose};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
 pub use frame::wind::{Gusts, Waves, Wind, WindSource};

@@ -1,9 +1,10 @@
 //! What one step of the simulation needs: time, wind, colliders, gravity, light.
 
+use crate::Collider;
 use crate::frame::wind::Wind;
 use glam::Vec3;
 
-/// A sphere that pushes blades aside.
+/// A sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sphere {
     /// Centre, metres.
@@ -89,8 +90,8 @@ pub struct Frame<'a> {
     pub dt_s: f32,
     /// The wind, already advanced by the host.
     pub wind: &'a Wind,
-    /// Spheres that push blades; those without a finite centre and radius are left out.
-    pub spheres: &'a [Sphere],
+    /// What pushes blades aside; see [`Collider`] for what is left out.
+    pub colliders: &'a [Collider<'a>],
     /// Gravity.
     pub gravity: Gravity,
     /// Light for drawing.
@@ -100,12 +101,12 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// A step with the defaults: no spheres, plain gravity, a clear day.
+    /// A step with the defaults: no colliders, plain gravity, a clear day.
     pub fn new(dt_s: f32, wind: &'a Wind) -> Self {
         Self {
             dt_s,
             wind,
-            spheres: &[],
+            colliders: &[],
             gravity: Gravity::default(),
             light: Light::default(),
             physics: PhysicsModel::default(),

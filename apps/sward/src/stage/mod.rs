@@ -22,7 +22,10 @@ use glam::Vec2;
 use image::RgbImage;
 use opaque::Opaque;
 use passes::{Accumulator, Passes};
-use sward::{Culling, Field, Frame, Light, PhysicsModel, Renderer, Statistics, View, Wind};
+use sward::{
+    Collider, ColliderShape, Culling, Field, Frame, Light, PhysicsModel, Pose, Renderer,
+    Statistics, View, Wind,
+};
 use sward_scene::{Camera, MovingSphere, Scene};
 use targets::Targets;
 
@@ -222,14 +225,14 @@ impl Stage {
         if self.opaque.move_spheres(&self.gpu.queue, placements) {
             self.depth_is_opaque = false;
         }
-        let spheres: Vec<_> = match self.options.collisions {
-            true => self.spheres.iter().filter_map(|sphere| sphere.at(time_s)).collect(),
+        let colliders: Vec<_> = match self.options.collisions {
+            true => self.spheres.iter().filter_map(|s| collider(s, time_s, dt_s as f32)).collect(),
             false => Vec::new(),
         };
         let frame = Frame {
             dt_s: dt_s as f32,
             wind: &self.wind,
-            spheres: &spheres,
+            colliders: &colliders,
             gravity: self.gravity,
             light: self.light,
             physics: self.options.physics,
@@ -347,6 +350,15 @@ impl Stage {
     pub fn gpu_bytes(&self) -> u64 {
         self.renderer.gpu_bytes()
     }
+}
+
+/// A sphere as it pushes blades: with where it was a step ago, so that it is swept from there.
+fn collider(sphere: &MovingSphere, time_s: f32, dt_s: f32) -> Option<Collider<'static>> {
+    let (now, last) = (sphere.at(time_s)?, sphere.at(time_s - dt_s)?);
+    let shape = ColliderShape::Sphere { radius: now.radius };
+    let moves = now.center != last.center;
+    let last_pose = moves.then_some(Pose::at(last.center));
+    Some(Collider { shape, pose: Pose::at(now.center), last_pose })
 }
 
 /// The renderer's view of the camera.

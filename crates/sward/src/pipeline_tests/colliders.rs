@@ -4,7 +4,7 @@ use super::decoded::{decode, states};
 use super::rig::Rig;
 use super::scenes::{Draws, breeze, random_field, see_all, see_none};
 use crate::gpu::layout::NEAR_STRIDE;
-use crate::{Frame, PhysicsModel, Sphere, View};
+use crate::{Collider, Frame, PhysicsModel, Sphere, View};
 use glam::Vec3;
 
 fn near_lists(rig: &Rig) -> Vec<Vec<u32>> {
@@ -43,8 +43,12 @@ fn random_spheres(seed: u32, count: u32) -> Vec<Sphere> {
         .collect()
 }
 
-fn frame<'a>(wind: &'a crate::Wind, spheres: &'a [Sphere]) -> Frame<'a> {
-    Frame { spheres, ..Frame::new(0.02, wind) }
+fn frame<'a>(wind: &'a crate::Wind, colliders: &'a [Collider]) -> Frame<'a> {
+    Frame { colliders, ..Frame::new(0.02, wind) }
+}
+
+fn balls(spheres: &[Sphere]) -> Vec<Collider<'static>> {
+    spheres.iter().copied().map(Collider::ball).collect()
 }
 
 #[test]
@@ -53,7 +57,7 @@ fn near_lists_equal_brute_force() {
     let mut rig = Rig::new(random_field(1, 3000, 6.0, 64));
     for (seed, count) in [(1, 1), (2, 20), (3, 65), (4, 1500)] {
         let spheres = random_spheres(seed, count);
-        rig.step(&frame(&wind, &spheres), &[see_all()]);
+        rig.step(&frame(&wind, &balls(&spheres)), &[see_all()]);
         let (expected, beyond) = brute_force(&rig, &spheres);
         assert_eq!(near_lists(&rig), expected, "{count} spheres");
         let statistics = rig.statistics();
@@ -82,7 +86,7 @@ fn only_touched_patches_wake_out_of_view() {
     let ball = [Sphere { center: Vec3::new(3.0, 0.2, 3.0), radius: 0.5 }];
     let (touched, _) = brute_force(&rig, &ball);
     for turn in 1..4 {
-        rig.step(&frame(&wind, &ball), &[see_none()]);
+        rig.step(&frame(&wind, &balls(&ball)), &[see_none()]);
         assert_eq!(rig.statistics().patches_visible, 0);
         for (i, ((now, then), list)) in rig.bands().iter().zip(&before).zip(&touched).enumerate() {
             let steps = if list.is_empty() { 0 } else { turn };

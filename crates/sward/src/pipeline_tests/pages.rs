@@ -4,7 +4,7 @@ use super::rig::{Gpu, Rig, shared};
 use super::scenes::{breeze, random_field, random_view, see_all};
 use crate::gpu::limits::{check_blades, check_device, page_blades};
 use crate::gpu::test_device;
-use crate::{Error, Frame, Renderer, Sphere, Targets};
+use crate::{Collider, Error, Frame, Renderer, Sphere, Targets};
 use glam::Vec3;
 
 /// A device whose storage bindings hold few blades.
@@ -39,11 +39,11 @@ fn several_pages_draw_what_one_does() {
         let mut several = Rig::on(tight.clone(), field);
         assert_eq!((one.renderer.pages().len(), several.renderer.pages().len()), (1, 4));
         let mut wind = breeze();
-        let ball = [Sphere { center: Vec3::new(0.5, 0.1, 0.0), radius: 0.6 }];
+        let ball = [Collider::ball(Sphere { center: Vec3::new(0.5, 0.1, 0.0), radius: 0.6 })];
         for step in 0..4 {
             wind.advance(0.03);
             let view = random_view(step, 5.0);
-            let frame = Frame { spheres: &ball, ..Frame::new(0.03, &wind) };
+            let frame = Frame { colliders: &ball, ..Frame::new(0.03, &wind) };
             one.step(&frame, &[view]);
             several.step(&frame, &[view]);
             assert_eq!(one.statistics(), several.statistics());

@@ -6,7 +6,7 @@ use super::scenes::{breeze, random_field, random_states, see_all, surroundings};
 use crate::frame::physics::paper_twin;
 use crate::frame::physics::twin::{self, State, Surroundings};
 use crate::gpu::state_twin::{CRUSH_STEP, pack_state};
-use crate::{Frame, PhysicsModel, Sphere};
+use crate::{Collider, Frame, PhysicsModel, Sphere};
 use glam::Vec3;
 
 /// Frames recorded at once.
@@ -62,7 +62,8 @@ impl Run {
                 for (frame, wind) in frames.clone().zip(&winds) {
                     let spheres = self.spheres(frame);
                     let plain = Frame::new(dt_s, wind);
-                    let frame = Frame { physics: self.model, spheres: &spheres, ..plain };
+                    let colliders: Vec<_> = spheres.into_iter().map(Collider::ball).collect();
+                    let frame = Frame { physics: self.model, colliders: &colliders, ..plain };
                     renderer.simulate(device, encoder, &frame).expect("valid frame");
                     renderer.cull(device, encoder, &[see_all()]).expect("valid view");
                 }

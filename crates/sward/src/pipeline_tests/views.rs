@@ -4,7 +4,7 @@ use super::decoded::{decode, states};
 use super::depth::depth_texture;
 use super::rig::{Rig, shared};
 use super::scenes::{breeze, is_sound, look, random_field, random_view, see_all, see_none};
-use crate::{Culling, Error, Frame, Gravity, PhysicsModel, Sphere, Stage, View};
+use crate::{Collider, Culling, Error, Frame, Gravity, PhysicsModel, Sphere, Stage, View};
 use glam::{Mat4, Vec3};
 
 const MODELS: [PhysicsModel; 2] = [PhysicsModel::Sward, PhysicsModel::Paper];
@@ -111,13 +111,13 @@ fn absurd_spheres_are_ignored() {
         (Vec3::ZERO, 0.0),
         (Vec3::ZERO, -1.0),
     ]
-    .map(|(center, radius)| Sphere { center, radius });
+    .map(|(center, radius)| Collider::ball(Sphere { center, radius }));
     for model in MODELS {
         let (mut with, mut without) = (rig(), rig());
         let wind = breeze();
         let plain = Frame { physics: model, ..Frame::new(0.02, &wind) };
         for _ in 0..3 {
-            with.step(&Frame { spheres: &absurd, ..plain.clone() }, &[see_all()]);
+            with.step(&Frame { colliders: &absurd, ..plain.clone() }, &[see_all()]);
             without.step(&plain, &[see_all()]);
         }
         assert_eq!(with.states(), without.states(), "{model:?}");
@@ -125,8 +125,9 @@ fn absurd_spheres_are_ignored() {
         let huge = [
             Sphere { center: Vec3::splat(1e30), radius: 1e35 },
             Sphere { center: Vec3::splat(f32::MAX), radius: f32::MAX },
-        ];
-        with.step(&Frame { spheres: &huge, ..plain.clone() }, &[see_all()]);
+        ]
+        .map(Collider::ball);
+        with.step(&Frame { colliders: &huge, ..plain.clone() }, &[see_all()]);
         let all = states(&decode(&with.field), &with.states(), model);
         assert!(all.iter().all(is_sound), "{model:?}");
     }

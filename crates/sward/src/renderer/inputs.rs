@@ -5,7 +5,7 @@ use super::layouts::Layouts;
 use crate::frame::wind::GpuWindSource;
 use crate::gpu::layout::{GpuFrame, MAX_WIND_SOURCES};
 use crate::gpu::{bindings, buffers};
-use crate::{Error, Frame, Gravity, Light, PhysicsModel, Sphere};
+use crate::{Collider, Error, Frame, Gravity, Light, PhysicsModel};
 use glam::Vec3;
 use wgpu::BufferUsages;
 
@@ -57,10 +57,11 @@ fn check_light(light: &Light) -> Result<(), Error> {
     Err(Error::setting("light", "must be finite, and haze_per_m not below 0"))
 }
 
-/// Spheres that can touch anything, as the shaders read them.
-fn gpu_spheres(spheres: &[Sphere]) -> Vec<[f32; 4]> {
-    spheres
+/// Colliders that can touch anything, as the shaders read them.
+fn gpu_spheres(colliders: &[Collider]) -> Vec<[f32; 4]> {
+    colliders
         .iter()
+        .flat_map(crate::frame::collide::spheres::inside)
         .filter(|s| s.center.is_finite() && s.radius.is_finite() && s.radius > 0.0)
         .map(|s| s.center.extend(s.radius).to_array())
         .collect()
@@ -126,7 +127,7 @@ pub(crate) struct Lists {
 pub(crate) fn check(device: &wgpu::Device, frame: &Frame) -> Result<Lists, Error> {
     check_gravity(&frame.gravity)?;
     check_light(&frame.light)?;
-    let (wind, spheres) = (frame.wind.gpu_sources(), gpu_spheres(frame.spheres));
+    let (wind, spheres) = (frame.wind.gpu_sources(), gpu_spheres(frame.colliders));
     at_most("wind", "sward's 64 wind sources", wind.len(), MAX_WIND_SOURCES)?;
     let room = sphere_room(device);
     at_most("spheres", "max_storage_buffer_binding_size / 16", spheres.len(), room)?;

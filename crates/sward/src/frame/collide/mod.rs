@@ -1,5 +1,6 @@
 //! Colliders: which spheres are near each patch, and which patches they wake.
 
+pub(crate) mod spheres;
 pub mod twin;
 
 use crate::gpu::bindings::compute;
