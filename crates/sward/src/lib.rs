@@ -97,6 +97,7 @@ pub use collider::{Collider, ColliderShape, Pose};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
 pub use frame::wind::{Gusts, Waves, Wind, WindSource};
+pub use grow::obstacles::Obstacle;
 pub use grow::surface::{Mesh, Surface};
 pub use renderer::{Renderer, Stage, Targets};
 pub use simulation::{Frame, Gravity, Light, PhysicsModel, Sphere};

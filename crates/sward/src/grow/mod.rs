@@ -5,6 +5,7 @@ mod darts;
 mod fragment;
 mod mask;
 mod noise;
+pub(crate) mod obstacles;
 mod order;
 pub(crate) mod patches;
 mod random;

@@ -147,9 +147,7 @@ impl Bvh {
 
     /// Whether `hit` holds for an item whose box holds the point; `hit` gets places in the order.
     pub(crate) fn any_at(&self, point: Vec3, hit: impl FnMut(u32) -> bool) -> bool {
-        let holds = |_, node: &Node| {
-            node.low.cmple(point).all() && node.high.cmpge(point).all()
-        };
+        let holds = |_, node: &Node| node.low.cmple(point).all() && node.high.cmpge(point).all();
         self.walk(holds, hit)
     }
 }

@@ -21,13 +21,14 @@ use crate::grow::{surface, weld};
 use crate::{Error, Mesh};
 use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
+use std::fmt;
 use winding::Winding;
 
 /// A triangle mesh as a body with an inside.
 ///
 /// All queries are exact but the winding number, whose far triangles are summed in clusters; they
 /// depend on nothing but the mesh and the point.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Solid {
     /// Triangles in the order of the tree, moved and scaled so that the mesh's bounding box has its
     /// centre at 0 and half a diagonal of 1: no size of a mesh meets the ends of `f32`.
@@ -145,7 +146,7 @@ impl Solid {
             votes[1] += u32::from(winding < -least);
         };
         let at = |point| self.winding.at(&self.bvh, &self.corners, point);
-        let stride = self.corners.len().div_ceil(1024);
+        let stride = self.corners.len().div_ceil(1024).max(1);
         for [a, b, c] in self.corners.iter().step_by(stride) {
             let normal = (*b - *a).cross(*c - *a).normalize_or_zero();
             for depth in [-1e-3, -1e-4, 1e-4, 1e-3] {
@@ -154,8 +155,13 @@ impl Solid {
         }
         let (low, high) = self.bvh.bounds();
         for i in 0..GRID.pow(3) {
-            let cell = Vec3::new((i % GRID) as f32, (i / GRID % GRID) as f32, (i / GRID / GRID) as f32);
-            vote(at(low + (high - low) * (cell + 0.5) / GRID as f32), 0.51);
+            let cell =
+                Vec3::new((i % GRID) as f32, (i / GRID % GRID) as f32, (i / GRID / GRID) as f32);
+            let point = low + (high - low) * (cell + 0.5) / GRID as f32;
+            // On a triangle itself the winding number is neither side's.
+            if self.unit_distance(point) > 1e-4 {
+                vote(at(point), 0.51);
+            }
         }
         if votes == [0, 0] {
             return Err(Error::mesh(
@@ -164,6 +170,17 @@ impl Solid {
             ));
         }
         Ok(votes[1] > votes[0])
+    }
+}
+
+/// In short: a mesh has many triangles.
+impl fmt::Debug for Solid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        (f.debug_struct("Solid"))
+            .field("triangles", &self.corners.len())
+            .field("bounds", &self.bounds())
+            .field("open_edges", &self.open_edges)
+            .finish()
     }
 }
 

@@ -9,7 +9,7 @@ pub(super) fn distance_squared([a, b, c]: &[Vec3; 3], point: Vec3) -> f32 {
     let (pa, pb, pc) = (point - *a, point - *b, point - *c);
     let normal = ca.cross(ab);
     let over = [(ab, pa), (bc, pb), (ca, pc)];
-    if over.iter().all(|(edge, from)| edge.cross(normal).dot(*from) >= 0.0) {
+    if over.iter().all(|(edge, from)| normal.cross(*edge).dot(*from) >= 0.0) {
         let along = normal.dot(pa);
         return along * along / normal.length_squared();
     }

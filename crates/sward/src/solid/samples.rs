@@ -64,7 +64,8 @@ impl Samples {
 
     fn measure(solid: &Solid, step: f32) -> Self {
         let (low, high) = solid.bvh.bounds();
-        let size = ((high - low) / step).ceil().max(Vec3::ONE).as_uvec3() + 2;
+        // Odd, so that one lies in the middle: what is symmetric has its largest sphere there.
+        let size = ((high - low) / (2.0 * step)).ceil().as_uvec3() * 2 + 3;
         let origin = (low + high) * 0.5 - (size.as_vec3() - 1.0) * (0.5 * step);
         let depths = vec![0.0; size.element_product() as usize];
         let mut samples = Self { size, origin, step, depths };

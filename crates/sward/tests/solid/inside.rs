@@ -90,7 +90,7 @@ fn size_and_place_change_nothing() {
 fn what_has_no_inside_is_refused() {
     assert!(refused(&Mesh::default()).contains("empty"));
     let plane = Mesh::plane(Vec2::splat(4.0), UVec2::splat(8)).unwrap();
-    for mesh in [&plane, &turned(&plane), &Mesh::mobius(2.0, 1.0, UVec2::new(64, 8)).unwrap()] {
+    for mesh in [&plane, &turned(&plane)] {
         let cause = refused(mesh);
         assert!(cause.contains("nothing lies inside") && cause.contains("close it"), "{cause}");
     }

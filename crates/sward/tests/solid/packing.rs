@@ -12,16 +12,17 @@ fn pack(mesh: &Mesh, spheres: u32) -> (Solid, Packing) {
 }
 
 /// Every promise that holds for any mesh; `least` is the share to cover.
-fn check(name: &str, mesh: &Mesh, spheres: u32, least: f32) -> Packing {
-    let (solid, packing) = pack(mesh, spheres);
-    let covered = coverage(&solid, &packing, 20_000);
-    let bulge = worst_bulge(&solid, &packing);
+fn check(name: &str, mesh: &Mesh, spheres: u32, bulge: f32, least: f32) -> Packing {
+    let solid = Solid::new(mesh).unwrap();
+    let packing = solid.pack(&PackDesc { spheres, bulge }).unwrap();
+    let covered = coverage(&solid, &packing, 5_000);
+    let worst = worst_bulge(&solid, &packing);
     let count = packing.spheres.len();
-    println!("{name}: {count} spheres, {covered:.4} ({:.4}), bulge {bulge:.5}", packing.coverage);
+    println!("{name}: {count} spheres, {covered:.4} ({:.4}), bulge {worst:.5}", packing.coverage);
     assert!(count <= spheres as usize && count > 0, "{name}: {count}");
     assert!(covered >= least, "{name}: {covered} covered");
     assert!((covered - packing.coverage).abs() < 0.02, "{name}: {covered}, {}", packing.coverage);
-    assert!(bulge <= PackDesc::default().bulge * 1.001, "{name}: bulge {bulge}");
+    assert!(worst <= bulge * 1.001 + 1e-6, "{name}: bulge {worst}");
     for sphere in &packing.spheres {
         assert!(solid.contains(sphere.center), "{name}: a centre outside");
         assert!(sphere.radius > 0.0 && sphere.radius.is_finite(), "{name}");
@@ -34,7 +35,7 @@ fn the_bunny_into_a_thousand_spheres() {
     let (solid, start) = (Solid::new(&bunny()).unwrap(), Instant::now());
     let packing = solid.pack(&PackDesc::default()).unwrap();
     let seconds = start.elapsed().as_secs_f64();
-    let covered = coverage(&solid, &packing, 100_000);
+    let covered = coverage(&solid, &packing, 30_000);
     let bulge = worst_bulge(&solid, &packing);
     println!("bunny: {covered:.4} covered, bulge {bulge:.5} of the diagonal, {seconds:.2} s");
     assert_eq!(packing.spheres.len(), 1000);
@@ -55,12 +56,13 @@ fn the_bunny_into_a_thousand_spheres() {
 
 #[test]
 fn shapes_of_all_kinds_are_filled() {
-    check("ball", &sphere(1.0), 100, 0.97);
-    check("torus", &torus(), 200, 0.93);
-    check("box", &cuboid(Vec3::new(1.0, 2.0, 0.5), Vec3::X * 9.0), 300, 0.9);
+    check("ball", &sphere(1.0), 100, 0.001, 0.97);
+    check("torus", &torus(), 200, 0.001, 0.9);
+    check("box", &cuboid(Vec3::new(1.0, 2.0, 0.5), Vec3::X * 9.0), 300, 0.005, 0.95);
     let two = joined(&sphere(0.5), &moved(&torus(), |p| p + Vec3::Y * 3.0));
-    let packing = check("two bodies", &two, 200, 0.9);
-    let (ball, ring): (Vec<_>, Vec<_>) = packing.spheres.iter().partition(|s| s.center.y < 1.0);
+    let packing = check("two bodies", &two, 200, 0.002, 0.9);
+    let (ball, ring): (Vec<sward::Sphere>, Vec<_>) =
+        packing.spheres.iter().copied().partition(|s| s.center.y < 1.0);
     assert!(!ball.is_empty() && ring.len() > 20, "{} and {}", ball.len(), ring.len());
 }
 
@@ -68,8 +70,8 @@ fn shapes_of_all_kinds_are_filled() {
 fn thin_plates_are_filled_level_or_turned() {
     for thickness in [0.02, 0.004] {
         let plate = cuboid(Vec3::new(1.0, thickness / 2.0, 1.0), Vec3::ZERO);
-        check(&format!("plate of {thickness}"), &plate, 4000, 0.9);
-        check(&format!("turned plate of {thickness}"), &turned(&plate), 4000, 0.85);
+        check(&format!("plate of {thickness}"), &plate, 4000, 0.01, 0.9);
+        check(&format!("turned plate of {thickness}"), &turned(&plate), 4000, 0.01, 0.85);
     }
 }
 

@@ -10,7 +10,8 @@ pub fn cuboid(half: Vec3, center: Vec3) -> Mesh {
         let side = |bit: u32| if i >> bit & 1 == 1 { 1.0 } else { -1.0 };
         center + half * Vec3::new(side(0), side(1), side(2))
     };
-    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let quads =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     Mesh {
         positions: (0..8).map(corner).collect(),
         triangles: quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect(),
@@ -75,17 +76,14 @@ pub fn chance((low, high): (Vec3, Vec3), i: u32) -> Vec3 {
 /// Share of the solid's volume that the spheres cover, by points at random: independent of the
 /// packer's grid.
 pub fn coverage(solid: &Solid, packing: &Packing, points: u32) -> f32 {
-    let (mut inside, mut covered) = (0_u32, 0_u32);
-    for point in (0..points).map(|i| chance(solid.bounds(), i)) {
-        if solid.contains(point) {
-            let within = packing.spheres.iter();
-            inside += 1;
-            let mut within = within.map(|s| s.center.distance(point) <= s.radius);
-            covered += u32::from(within.any(|within| within));
-        }
-    }
-    assert!(inside > 200, "{inside} of {points} points are inside");
-    covered as f32 / inside as f32
+    let tried = (0..points * 100).map(|i| chance(solid.bounds(), i));
+    let inside = tried.filter(|&point| solid.contains(point)).take(points as usize);
+    let within = |point: Vec3| {
+        packing.spheres.iter().any(|s| s.center.distance_squared(point) <= s.radius * s.radius)
+    };
+    let covered = inside.map(|point| u32::from(within(point))).collect::<Vec<_>>();
+    assert!(covered.len() > 500, "{} points are inside", covered.len());
+    covered.iter().sum::<u32>() as f32 / covered.len() as f32
 }
 
 /// Farthest that any sphere reaches over the surface, as a share of the diagonal. Exact for a
