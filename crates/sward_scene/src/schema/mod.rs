@@ -3,6 +3,7 @@
 //! `"#rrggbb"` (sRGB) or `(r, g, b)` (linear, 0..=1). A range is `(min, max)` or one number. Paths
 //! are relative to the scene file.
 
+mod bodies;
 mod field;
 mod light;
 mod motion;
@@ -10,6 +11,7 @@ mod object;
 mod source;
 mod value;
 
+pub use bodies::{BodiesFile, BodyShapeFile};
 pub use field::{
     DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile, SpeciesFile, TuftsFile,
 };
@@ -43,6 +45,8 @@ pub struct SceneFile {
     pub wind: Vec<WindFile>,
     /// Spheres that push blades; default none.
     pub spheres: Vec<SphereFile>,
+    /// Rigid bodies, which fall, bounce, roll and push blades; default none.
+    pub bodies: Vec<BodiesFile>,
     /// The sun.
     pub sun: SunFile,
     /// Sky and haze.
@@ -73,6 +77,7 @@ impl Default for SceneFile {
                 WindFile::Gusts(GustsFile::default()),
             ],
             spheres: Vec::new(),
+            bodies: Vec::new(),
             sun: SunFile::default(),
             sky: SkyFile::default(),
             ground: GroundFile::default(),
