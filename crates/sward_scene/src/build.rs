@@ -92,6 +92,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
     let spheres = views::spheres(file, &placed).map_err(|problem| context.error(problem))?;
     let wind = wind::sources(file, &placed).map_err(|problem| context.error(problem))?;
+    let bodies = crate::bodies::groups(file, &placed).map_err(|problem| context.error(problem))?;
     let descs = fields::descriptions(context, file)?;
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
     let mut fields = Vec::with_capacity(descs.len());
@@ -116,6 +117,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         cameras,
         wind,
         spheres,
+        bodies,
         light: checked.light,
         sky: checked.sky,
         gravity: checked.gravity,
@@ -206,6 +208,7 @@ fn finish(
                 area_m2: surface.area_m2(),
                 dropped_triangles: surface.dropped_triangles(),
                 texture: None,
+                path: None,
             });
         }
     }

@@ -18,6 +18,7 @@
 //! [`Scene::notes`].
 
 mod assets;
+mod bodies;
 mod build;
 pub mod camera;
 mod check;
@@ -30,6 +31,7 @@ mod spheres;
 mod wind;
 
 pub use assets::TextureImage;
+pub use bodies::{Bodies, Body, BodyGroup, BodyShape};
 pub use build::{load, parse};
 pub use camera::Camera;
 pub use error::SceneError;
@@ -58,6 +60,8 @@ pub struct Scene {
     pub wind: Vec<SceneWind>,
     /// Spheres that push blades aside.
     pub spheres: Vec<MovingSphere>,
+    /// Rigid bodies, by kind; [`Bodies`] moves them.
+    pub bodies: Vec<BodyGroup>,
     /// The sun.
     pub light: SunSettings,
     /// Sky and haze.

@@ -3,6 +3,7 @@
 //! `"#rrggbb"` (sRGB) or `(r, g, b)` (linear, 0..=1). A range is `(min, max)` or one number. Paths
 //! are relative to the scene file.
 
+mod bodies;
 mod field;
 mod light;
 mod motion;
@@ -11,6 +12,7 @@ mod source;
 mod value;
 mod wind;
 
+pub use bodies::{BodiesFile, BodyShapeFile};
 pub use field::{
     DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile, SpeciesFile, TuftsFile,
 };
@@ -42,6 +44,8 @@ pub struct SceneFile {
     pub wind: Vec<WindFile>,
     /// Spheres that push blades; default none.
     pub spheres: Vec<SphereFile>,
+    /// Rigid bodies, which fall, bounce, roll and push blades; default none.
+    pub bodies: Vec<BodiesFile>,
     /// The sun.
     pub sun: SunFile,
     /// Sky and haze.
@@ -72,6 +76,7 @@ impl Default for SceneFile {
                 WindFile::Gusts(GustsFile::default()),
             ],
             spheres: Vec::new(),
+            bodies: Vec::new(),
             sun: SunFile::default(),
             sky: SkyFile::default(),
             ground: GroundFile::default(),
