@@ -27,6 +27,11 @@ pub struct Times {
     pub post: Vec<f32>,
 }
 
+/// Frames that run unmeasured before `frames` that are measured.
+pub fn warm_up_frames(frames: u32) -> u32 {
+    frames.min(20)
+}
+
 /// Measures `frames` whole frames and as many by stage, after a warm-up.
 pub fn measure(
     gpu: &Gpu,
@@ -37,9 +42,10 @@ pub fn measure(
 ) -> Result<Times> {
     let dt_s = if still { 0.0 } else { DT_S };
     let mut times = Times::default();
-    for i in 0..frames + frames.min(20) {
+    let unmeasured = warm_up_frames(frames);
+    for i in 0..unmeasured + frames {
         let ms = whole_frame(gpu, stage, dt_s)?;
-        if i >= frames.min(20) {
+        if i >= unmeasured {
             times.frame.push(ms);
         }
         progress();

@@ -1,0 +1,7 @@
+//! Measuring what a scene costs, for `bench` and `paper`.
+
+mod report;
+mod times;
+
+pub use report::{Measured, Milliseconds, Percentiles, Report};
+pub use times::{Times, measure, statistics};
