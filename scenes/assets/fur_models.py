@@ -218,13 +218,13 @@ def cow(at):
 
 def bare(at):
     """The share of skin that shows: muzzle and hooves."""
-    muzzle = numpy.linalg.norm((at - MUZZLE) / [0.26, 0.15, 0.13], axis=1)
+    muzzle = numpy.linalg.norm((at - MUZZLE) / [0.24, 0.14, 0.13], axis=1)
     hooves = at[:, 1]
     return numpy.maximum(1 - step(muzzle, 0.75, 1.0), 1 - step(hooves, 0.03, 0.07))
 
 
 # In the scene's metres, after `place`.
-MUZZLE = numpy.array([0.0, 0.52, -0.52])
+MUZZLE = numpy.array([0.0, 0.55, -0.54])
 
 
 def main():
