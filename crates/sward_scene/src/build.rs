@@ -4,6 +4,7 @@ mod fields;
 mod inside;
 mod settings;
 mod views;
+mod wind;
 
 use crate::check::{Key, Problem};
 use crate::error::{SceneError, one_line};
@@ -90,6 +91,8 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
     let cameras =
         views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
     let spheres = views::spheres(file, &placed).map_err(|problem| context.error(problem))?;
+    let wind = wind::sources(file, &placed).map_err(|problem| context.error(problem))?;
+    let bodies = crate::bodies::groups(file, &placed).map_err(|problem| context.error(problem))?;
     let descs = fields::descriptions(context, file)?;
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
     let mut fields = Vec::with_capacity(descs.len());
@@ -112,8 +115,9 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         objects,
         fields,
         cameras,
-        wind: checked.wind,
+        wind,
         spheres,
+        bodies,
         light: checked.light,
         sky: checked.sky,
         gravity: checked.gravity,
@@ -204,6 +208,7 @@ fn finish(
                 area_m2: surface.area_m2(),
                 dropped_triangles: surface.dropped_triangles(),
                 texture: None,
+                path: None,
             });
         }
     }
