@@ -26,6 +26,7 @@ macro_rules! scenes {
 
 // One test each, so that they run side by side and a failure names its scene.
 scenes! {
+    balls ["--time", "0.8"],
     bunny [],
     closeup [],
     displacement [],
