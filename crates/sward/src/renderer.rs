@@ -175,6 +175,7 @@ impl Renderer {
         }
         self.clock.advance(frame.dt_s);
         self.inputs.write(device, encoder, &self.layouts, frame, &lists, &self.clock);
+        self.update.set_wind(device, &self.layouts, frame.wind.is_placed());
         let spheres = !lists.spheres.is_empty();
         if spheres || self.had_spheres {
             self.wake_touched(device, encoder);
