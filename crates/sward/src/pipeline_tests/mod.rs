@@ -11,5 +11,6 @@ mod packing;
 mod pages;
 mod quantized;
 mod rig;
+mod saved;
 mod scenes;
 mod views;
