@@ -14,3 +14,4 @@ mod rig;
 mod saved;
 mod scenes;
 mod views;
+mod wind;
