@@ -95,8 +95,10 @@ impl States {
             let number = name.strip_prefix(&self.stem)?.strip_prefix('.')?;
             number.strip_suffix(".state")?.parse().ok()
         };
+        let here = self.folder.as_os_str().is_empty();
+        let folder = if here { Path::new(".") } else { &self.folder };
         // A folder that cannot be read holds none
-        let entries = std::fs::read_dir(&self.folder).into_iter().flatten();
+        let entries = std::fs::read_dir(folder).into_iter().flatten();
         let mut frames: Vec<u32> = entries.filter_map(frame).filter(|&f| f <= last).collect();
         frames.sort_unstable_by(|a, b| b.cmp(a));
         frames

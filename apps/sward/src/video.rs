@@ -44,9 +44,24 @@ impl Format {
         };
         let own: &[&str] = match self {
             Self::Mp4 => &[
-                "-c:v", "libx264", "-crf", "16", "-preset", "medium", "-pix_fmt", "yuv420p",
-                "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709",
-                "-movflags", "+faststart", "-f", "mp4",
+                "-c:v",
+                "libx264",
+                "-crf",
+                "16",
+                "-preset",
+                "medium",
+                "-pix_fmt",
+                "yuv420p",
+                "-colorspace",
+                "bt709",
+                "-color_primaries",
+                "bt709",
+                "-color_trc",
+                "bt709",
+                "-movflags",
+                "+faststart",
+                "-f",
+                "mp4",
             ],
             Self::Gif => &["-f", "gif"],
         };
@@ -86,7 +101,7 @@ impl Video {
         command
             .args(["-nostdin", "-hide_banner", "-loglevel", "error", "-bitexact"])
             .args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", &format!("{width}x{height}")])
-            .args(["-r", &fps.to_string(), "-i", "pipe:0", "-an"])
+            .args(["-r", &format!("{fps:.6}"), "-i", "pipe:0", "-an"])
             .args(format.arguments(fitted, fps))
             .args(["-bitexact", "-y"])
             .arg(&partial)
