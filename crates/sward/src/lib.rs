@@ -77,6 +77,7 @@
 //! breeze, 1.2 a strong gust, for turf and reed alike.
 
 pub mod collider;
+pub mod color_map;
 pub mod error;
 pub mod field;
 pub mod frame;
@@ -93,6 +94,7 @@ pub mod view;
 mod pipeline_tests;
 
 pub use collider::{Collider, ColliderShape, Pose};
+pub use color_map::{ColorImage, ColorMap};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
 pub use frame::wind::{Gusts, Waves, Wind, WindSource};

@@ -1,5 +1,6 @@
 //! From a scene file to a [`Scene`].
 
+mod colors;
 mod fields;
 mod inside;
 mod settings;
@@ -90,7 +91,11 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
     let cameras =
         views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
     let spheres = views::spheres(file, &placed).map_err(|problem| context.error(problem))?;
-    let descs = fields::descriptions(context, file)?;
+    let mut descs = fields::descriptions(context, file)?;
+    for (index, (field, desc)) in file.fields.iter().zip(&mut descs).enumerate() {
+        let key = Key::list("fields", index);
+        desc.color_map = colors::map(context, field, &placed[hosts[index]], &key)?;
+    }
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
     let mut fields = Vec::with_capacity(descs.len());
     let described = file.fields.iter().zip(descs).zip(surfaces).enumerate();

@@ -63,7 +63,7 @@ fn structs() -> Vec<Expected> {
             gust,
             arch,
             first_bucket,
-            reserved,
+            tint,
             form,
             area_scale,
             colors,
@@ -81,6 +81,8 @@ fn structs() -> Vec<Expected> {
             max_distance,
             flags,
             capacity,
+            level_height,
+            reserved,
         }),
         expected!(GpuBand {
             step,

@@ -12,6 +12,8 @@ pub(crate) mod scatter;
 pub mod shapes;
 pub mod surface;
 pub mod terrain;
+mod texels;
+mod tint;
 pub(crate) mod tufts;
 mod walk;
 mod weld;

@@ -5,7 +5,7 @@ use super::depth::target;
 use super::rig::Rig;
 use super::scenes::{SIZE, breeze, field_of, look, no_culling, random_field, see_all, species};
 use crate::frame::draw::topology::Topology;
-use crate::frame::level::twin::FULL_DETAIL_PX;
+use crate::frame::level::FULL_DETAIL_PX;
 use crate::frame::physics::twin::State;
 use crate::gpu::state_twin::pack_state;
 use crate::grow::Blade;

@@ -10,7 +10,8 @@ mod source;
 mod value;
 
 pub use field::{
-    DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile, SpeciesFile, TuftsFile,
+    ColorFile, DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile,
+    SpeciesFile, TuftsFile,
 };
 pub use light::{
     CullingFile, GravityFile, GroundFile, GustsFile, PhysicsFile, SkyFile, SunFile, WavesFile,
@@ -21,6 +22,7 @@ pub use source::{
     HeightmapFile, MobiusFile, PlaneFile, RockFile, Source, SphereMeshFile, TerrainFile, TorusFile,
     TreeFile,
 };
+pub(crate) use value::linear_from_srgb;
 pub use value::{Color, Span};
 
 use serde::Deserialize;

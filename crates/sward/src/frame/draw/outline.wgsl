@@ -1,9 +1,12 @@
 // The outline of a blade (J equations 22 and 24), and how it turns into the next level's.
 
+// A dandelion's number among the shapes: its pixels are cut by lobes.wgsl.
+const LOBED: u32 = 4u;
+
 // Share of the width left at v: t(1, v) - t(0, v) of equation 22.
 fn outline(shape: u32, tip: f32, v: f32) -> f32 {
     switch shape {
-        case 0u: { return 1.0; }
+        case 0u, LOBED: { return 1.0; }
         case 1u: { return 1.0 - v; }
         case 2u: { return 1.0 - v * v; }
         default: { return 1.0 - max(v - tip, 0.0) / (1.0 - tip); }
