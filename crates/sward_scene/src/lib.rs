@@ -23,6 +23,7 @@ pub mod camera;
 mod check;
 mod error;
 mod locate;
+mod motion;
 mod objects;
 pub mod schema;
 mod spheres;
@@ -31,8 +32,9 @@ pub use assets::TextureImage;
 pub use build::{load, parse};
 pub use camera::Camera;
 pub use error::SceneError;
+pub use motion::{Path, PathKey};
 pub use objects::Object;
-pub use spheres::{MovingSphere, SphereKey};
+pub use spheres::MovingSphere;
 
 use glam::Vec3;
 use std::path::PathBuf;
@@ -163,7 +165,7 @@ impl Scene {
 
     /// The spheres at a time, as the library takes them.
     pub fn spheres_at(&self, time_s: f32) -> Vec<sward::Sphere> {
-        self.spheres.iter().filter_map(|sphere| sphere.at(time_s)).collect()
+        self.spheres.iter().map(|sphere| sphere.at(time_s)).collect()
     }
 }
 

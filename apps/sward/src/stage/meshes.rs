@@ -1,8 +1,8 @@
 //! Meshes of the scene's opaque things on the GPU.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{Vec2, Vec3};
-use sward::{ColorRange, Mesh, Sphere};
+use glam::{Quat, Vec2, Vec3};
+use sward::{ColorRange, Mesh};
 use sward_scene::{MovingSphere, Scene};
 use wgpu::util::DeviceExt;
 
@@ -21,11 +21,22 @@ struct GpuVertex {
 pub(super) struct GpuPlacement {
     pub position: Vec3,
     pub scale: f32,
+    /// A quaternion.
+    pub rotation: [f32; 4],
     pub color: [f32; 3],
     pub roughness: f32,
     /// RGB and share of the grass on it; a share below 0 means none.
     pub grass: [f32; 4],
+    /// RGB of every other stripe along the longitudes, and how many there are; 0 means none.
+    pub stripe: [f32; 4],
 }
+
+/// On a thing that carries none.
+pub(super) const NO_GRASS: [f32; 4] = [0.0, 0.0, 0.0, -1.0];
+/// Of one colour.
+pub(super) const NO_STRIPES: [f32; 4] = [0.0; 4];
+/// Pairs of stripes round a ball.
+const STRIPES: f32 = 3.0;
 
 /// Vertex buffers of the opaque pass.
 pub(super) const VERTEX_BUFFERS: [Option<wgpu::VertexBufferLayout<'static>>; 2] = [
@@ -39,7 +50,8 @@ pub(super) const VERTEX_BUFFERS: [Option<wgpu::VertexBufferLayout<'static>>; 2] 
     Some(wgpu::VertexBufferLayout {
         array_stride: size_of::<GpuPlacement>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
-        attributes: &wgpu::vertex_attr_array![4 => Float32x4, 5 => Float32x4, 6 => Float32x4],
+        attributes: &wgpu::vertex_attr_array![4 => Float32x4, 5 => Float32x4, 6 => Float32x4, 7 => Float32x4, 8 => Float32x4
+        ],
     }),
 ];
 
@@ -120,22 +132,25 @@ pub(super) fn with_normals(mesh: &Mesh) -> Mesh {
 /// Places of the spheres that show.
 pub(super) fn sphere_placements(spheres: &[MovingSphere], time_s: f32) -> Vec<GpuPlacement> {
     let place = |sphere: &MovingSphere| {
-        let Sphere { center, radius } = sphere.at(time_s)?;
-        Some(GpuPlacement {
-            position: center,
-            scale: radius,
+        let pose = sphere.pose_at(time_s);
+        let stripe = sphere.stripe_color.map_or(NO_STRIPES, |[r, g, b]| [r, g, b, STRIPES]);
+        GpuPlacement {
+            position: pose.translation,
+            scale: sphere.radius,
+            rotation: pose.rotation.to_array(),
             color: sphere.base_color,
             roughness: sphere.roughness,
-            grass: [0.0, 0.0, 0.0, -1.0],
-        })
+            grass: NO_GRASS,
+            stripe,
+        }
     };
-    spheres.iter().filter(|sphere| sphere.visible).filter_map(place).collect()
+    spheres.iter().filter(|sphere| sphere.visible).map(place).collect()
 }
 
 /// Place and material of an object; ground takes the mean colour of the grass that grows on it.
 pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
     let object = &scene.objects[index];
-    let mut grass = [0.0, 0.0, 0.0, -1.0];
+    let mut grass = NO_GRASS;
     if object.carries_grass {
         let [r, g, b] = mean_grass_color(scene, index);
         grass = [r, g, b, scene.ground.grass_tint * (1.0 - surface_share(scene, index))];
@@ -143,6 +158,8 @@ pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
     GpuPlacement {
         position: Vec3::ZERO,
         scale: 1.0,
+        rotation: Quat::IDENTITY.to_array(),
+        stripe: NO_STRIPES,
         color: object.base_color,
         roughness: object.roughness,
         grass,
@@ -184,6 +201,7 @@ pub(super) fn unit_sphere() -> Mesh {
         for sector in 0..=SECTORS {
             let (sin_p, cos_p) = (std::f32::consts::TAU * sector as f32 / SECTORS as f32).sin_cos();
             mesh.positions.push(Vec3::new(sin_t * cos_p, cos_t, -sin_t * sin_p));
+            mesh.uvs.push(Vec2::new(sector as f32 / SECTORS as f32, ring as f32 / RINGS as f32));
         }
     }
     for ring in 0..RINGS {

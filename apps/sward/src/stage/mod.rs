@@ -229,7 +229,7 @@ impl Stage {
             self.depth_is_opaque = false;
         }
         let colliders: Vec<_> = match self.options.collisions {
-            true => self.spheres.iter().filter_map(|s| collider(s, time_s, dt_s as f32)).collect(),
+            true => self.spheres.iter().map(|s| collider(s, time_s, dt_s as f32)).collect(),
             false => Vec::new(),
         };
         let frame = Frame {
@@ -356,12 +356,12 @@ impl Stage {
 }
 
 /// A sphere as it pushes blades: with where it was a step ago, so that it is swept from there.
-fn collider(sphere: &MovingSphere, time_s: f32, dt_s: f32) -> Option<Collider<'static>> {
-    let (now, last) = (sphere.at(time_s)?, sphere.at(time_s - dt_s)?);
+fn collider(sphere: &MovingSphere, time_s: f32, dt_s: f32) -> Collider<'static> {
+    let (now, last) = (sphere.at(time_s), sphere.at(time_s - dt_s));
     let shape = ColliderShape::Sphere { radius: now.radius };
     let moves = now.center != last.center;
     let last_pose = moves.then_some(Pose::at(last.center));
-    Some(Collider { shape, pose: Pose::at(now.center), last_pose })
+    Collider { shape, pose: Pose::at(now.center), last_pose }
 }
 
 /// The renderer's view of the camera.

@@ -7,8 +7,9 @@ use crate::assets::{self, Part, mesh};
 use crate::build::Context;
 use crate::check::{Key, MAX_M, Problem};
 use crate::error::SceneError;
+use crate::motion::euler_deg;
 use crate::schema::{ObjectFile, ScatterFile, Source};
-use glam::{Affine3A, EulerRot, Quat, Vec2, Vec3, Vec3Swizzles};
+use glam::{Affine3A, Quat, Vec2, Vec3, Vec3Swizzles};
 use std::cell::OnceCell;
 use sward::Mesh;
 
@@ -164,10 +165,8 @@ fn transform(file: &ObjectFile, key: &Key) -> Result<Affine3A, Problem> {
         }
     }
     let scale = key.at("scale").vector(file.scale.0)?;
-    let [x, y, z] = key.at("rotate_deg").vector(file.rotate_deg)?.to_array().map(f32::to_radians);
+    let turn = euler_deg(key.at("rotate_deg").vector(file.rotate_deg)?);
     let translate = key.at("translate").vector(file.translate)?;
-    // Turns about x, then y, then z, each about the world's axis: as a matrix product, z y x.
-    let turn = Quat::from_euler(EulerRot::ZYX, z, y, x);
     Ok(Affine3A::from_scale_rotation_translation(scale, turn, translate))
 }
 
