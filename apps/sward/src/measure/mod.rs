@@ -4,4 +4,4 @@ mod report;
 mod times;
 
 pub use report::{Measured, Milliseconds, Percentiles, Report};
-pub use times::{Times, measure, statistics};
+pub use times::{Times, frames_run, measure, statistics, warm_up_frames};

@@ -27,9 +27,15 @@ pub struct Times {
     pub post: Vec<f32>,
 }
 
-/// Frames that run unmeasured before `frames` that are measured.
+/// Frames that run unmeasured before `frames` that are measured as a whole; one more runs before
+/// those that are measured by stage.
 pub fn warm_up_frames(frames: u32) -> u32 {
     frames.min(20)
+}
+
+/// Frames that [`measure`] runs.
+pub fn frames_run(frames: u32) -> u32 {
+    warm_up_frames(frames) + frames + 1 + frames
 }
 
 /// Measures `frames` whole frames and as many by stage, after a warm-up.
@@ -50,6 +56,8 @@ pub fn measure(
         }
         progress();
     }
+    // The first use of a stage by itself may compile it.
+    by_stage(gpu, stage, dt_s, &mut Times::default())?;
     for _ in 0..frames {
         by_stage(gpu, stage, dt_s, &mut times)?;
         progress();
