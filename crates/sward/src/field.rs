@@ -1,8 +1,8 @@
 //! A field: a surface, its species, density and seed, grown into blades and patches.
 
 use crate::error::{above_zero, within};
-use crate::grow::surface::Surface;
 use crate::gpu::quantize::unpack_color;
+use crate::grow::surface::Surface;
 use crate::grow::{self, Blade, Patch};
 use crate::{ColorMap, Error, Species};
 use glam::Vec3;

@@ -59,6 +59,8 @@ pub struct Page {
     pub topologies: [bool; 2],
     /// Which pipelines draw it.
     pub variant: Variant,
+    /// A colour a blade, or one word.
+    pub tints: wgpu::Buffer,
     /// Packed dynamic states.
     pub dynamics: wgpu::Buffer,
     /// `GpuBand` by 64 blades.
@@ -184,7 +186,8 @@ impl Page {
         let blocks = store("sward.blocks", block_count * size_of::<GpuBlock>() as u64);
         let shared = [&field_uniform, &species, &blades, &patches];
         let drawn = [&field_uniform, &species, &blades, &patches, &dynamics, &tints];
-        let sized = [&blades, &tints, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
+        let sized =
+            [&blades, &tints, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
         Self {
             field: counts,
             topologies: topologies(field.species()),
@@ -202,6 +205,7 @@ impl Page {
             ),
             views: Vec::new(),
             bytes: sized.iter().map(|b| b.size()).sum(),
+            tints,
             dynamics,
             bands,
             near,

@@ -18,7 +18,8 @@ pub(super) fn map(
     let Some(color) = &field.color else { return Ok(None) };
     let key = key.at("color");
     if field.inside.is_some() && !matches!(color, ColorFile::VertexColor) {
-        let cause = "`inside` maps its part anew, so that no texture fits it: leave one of them out";
+        let cause =
+            "`inside` maps its part anew, so that no texture fits it: leave one of them out";
         return Err(context.error(key.problem(cause)));
     }
     match color {

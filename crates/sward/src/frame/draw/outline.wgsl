@@ -77,8 +77,13 @@ fn morphed_section(
     var own = section(blade, knee, tip, form, corner.v, corner.u, thin);
     if ring.bend > 0.0 {
         let step = 1.0 / f32(SEGMENTS);
-        let low = section(blade, knee, tip, form, corner.v - step, corner.u, thin);
-        let high = section(blade, knee, tip, form, corner.v + step, corner.u, thin);
+        // The next level has no middle line where this is the last with a ridge: its quads are cut
+        // along the diagonal, onto which the middle moves
+        let middle = RING == 3u && BUCKET % 4u == 1u && corner.u == 0.5;
+        let low_u = select(corner.u, 1.0, middle);
+        let high_u = select(corner.u, 0.0, middle);
+        let low = section(blade, knee, tip, form, corner.v - step, low_u, thin);
+        let high = section(blade, knee, tip, form, corner.v + step, high_u, thin);
         own.edge = mix(own.edge, 0.5 * (low.edge + high.edge), morph);
         own.side = mix(own.side, 0.5 * (low.side + high.side), morph);
         own.normal = mix(own.normal, 0.5 * (low.normal + high.normal), morph);
