@@ -59,7 +59,8 @@ pub struct Page {
     pub topologies: [bool; 2],
     /// Which pipelines draw it.
     pub variant: Variant,
-    /// A colour a blade, or one word.
+    /// A colour a blade, or one word; for tests.
+    #[cfg(test)]
     pub tints: wgpu::Buffer,
     /// Packed dynamic states.
     pub dynamics: wgpu::Buffer,
@@ -205,6 +206,7 @@ impl Page {
             ),
             views: Vec::new(),
             bytes: sized.iter().map(|b| b.size()).sum(),
+            #[cfg(test)]
             tints,
             dynamics,
             bands,
