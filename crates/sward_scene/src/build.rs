@@ -5,6 +5,7 @@ mod fields;
 mod inside;
 mod settings;
 mod views;
+mod wind;
 
 use crate::check::{Key, Problem};
 use crate::error::{SceneError, one_line};
@@ -91,11 +92,10 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
     let cameras =
         views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
     let spheres = views::spheres(file, &placed).map_err(|problem| context.error(problem))?;
+    let wind = wind::sources(file, &placed).map_err(|problem| context.error(problem))?;
+    let bodies = crate::bodies::groups(file, &placed).map_err(|problem| context.error(problem))?;
     let mut descs = fields::descriptions(context, file)?;
-    for (index, (field, desc)) in file.fields.iter().zip(&mut descs).enumerate() {
-        let key = Key::list("fields", index);
-        desc.color_map = colors::map(context, field, &placed[hosts[index]], &key)?;
-    }
+    colors::set_maps(context, file, &placed, &hosts, &mut descs)?;
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
     let mut fields = Vec::with_capacity(descs.len());
     let described = file.fields.iter().zip(descs).zip(surfaces).enumerate();
@@ -117,8 +117,9 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         objects,
         fields,
         cameras,
-        wind: checked.wind,
+        wind,
         spheres,
+        bodies,
         light: checked.light,
         sky: checked.sky,
         gravity: checked.gravity,
@@ -209,6 +210,7 @@ fn finish(
                 area_m2: surface.area_m2(),
                 dropped_triangles: surface.dropped_triangles(),
                 texture: None,
+                path: None,
             });
         }
     }

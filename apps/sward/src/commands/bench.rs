@@ -151,7 +151,7 @@ fn measure_once(
     let patch_size = fields.first().map_or(0, sward::Field::patch_size);
     let mut stage = Stage::new(gpu, scene, &fields, options.clone())?;
     drop(fields);
-    let steps = u64::from(args.frames) * 2 + u64::from(args.frames.min(20));
+    let steps = u64::from(measure::frames_run(args.frames));
     let bar = progress::bar(quiet, "measuring", steps);
     stage.warm_up()?;
     let still = args.without.contains(&Without::Physics);

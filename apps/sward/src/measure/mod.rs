@@ -4,4 +4,6 @@ mod report;
 mod times;
 
 pub use report::{Measured, Milliseconds, Percentiles, Report};
-pub use times::{Times, frames_run, measure, statistics, warm_up_frames};
+pub use times::{
+    Measuring, Times, frames_run, measure, measure_in_turns, statistics, warm_up_frames,
+};

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Quat, Vec2, Vec3};
 use sward::{ColorRange, Mesh};
-use sward_scene::{MovingSphere, Scene};
+use sward_scene::Scene;
 use wgpu::util::DeviceExt;
 
 #[repr(C)]
@@ -36,7 +36,7 @@ pub(super) const NO_GRASS: [f32; 4] = [0.0, 0.0, 0.0, -1.0];
 /// Of one colour.
 pub(super) const NO_STRIPES: [f32; 4] = [0.0; 4];
 /// Pairs of stripes round a ball.
-const STRIPES: f32 = 3.0;
+pub(super) const STRIPES: f32 = 3.0;
 
 /// Vertex buffers of the opaque pass.
 pub(super) const VERTEX_BUFFERS: [Option<wgpu::VertexBufferLayout<'static>>; 2] = [
@@ -102,10 +102,15 @@ impl GpuMesh {
 
     /// Moves the instances; as many as there were.
     pub fn place(&self, queue: &wgpu::Queue, placements: &[GpuPlacement]) {
-        queue.write_buffer(&self.placements, 0, bytemuck::cast_slice(placements));
+        if !placements.is_empty() {
+            queue.write_buffer(&self.placements, 0, bytemuck::cast_slice(placements));
+        }
     }
 
     pub fn draw(&self, pass: &mut wgpu::RenderPass) {
+        if self.placement_count == 0 {
+            return;
+        }
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_vertex_buffer(1, self.placements.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
@@ -127,24 +132,6 @@ pub(super) fn with_normals(mesh: &Mesh) -> Mesh {
     }
     mesh.normals = normals.into_iter().map(|n| n.normalize_or(Vec3::Y)).collect();
     mesh
-}
-
-/// Places of the spheres that show.
-pub(super) fn sphere_placements(spheres: &[MovingSphere], time_s: f32) -> Vec<GpuPlacement> {
-    let place = |sphere: &MovingSphere| {
-        let pose = sphere.pose_at(time_s);
-        let stripe = sphere.stripe_color.map_or(NO_STRIPES, |[r, g, b]| [r, g, b, STRIPES]);
-        GpuPlacement {
-            position: pose.translation,
-            scale: sphere.radius,
-            rotation: pose.rotation.to_array(),
-            color: sphere.base_color,
-            roughness: sphere.roughness,
-            grass: NO_GRASS,
-            stripe,
-        }
-    };
-    spheres.iter().filter(|sphere| sphere.visible).map(place).collect()
 }
 
 /// Place and material of an object; ground takes the mean colour of the grass that grows on it.
@@ -191,46 +178,9 @@ fn mean_grass_color(scene: &Scene, object: usize) -> [f32; 3] {
     (sum * CANOPY_SHADE / area.max(f32::MIN_POSITIVE)).into()
 }
 
-/// A unit sphere of latitudes and longitudes.
-pub(super) fn unit_sphere() -> Mesh {
-    const RINGS: u32 = 32;
-    const SECTORS: u32 = 64;
-    let mut mesh = Mesh::default();
-    for ring in 0..=RINGS {
-        let (sin_t, cos_t) = (std::f32::consts::PI * ring as f32 / RINGS as f32).sin_cos();
-        for sector in 0..=SECTORS {
-            let (sin_p, cos_p) = (std::f32::consts::TAU * sector as f32 / SECTORS as f32).sin_cos();
-            mesh.positions.push(Vec3::new(sin_t * cos_p, cos_t, -sin_t * sin_p));
-            mesh.uvs.push(Vec2::new(sector as f32 / SECTORS as f32, ring as f32 / RINGS as f32));
-        }
-    }
-    for ring in 0..RINGS {
-        for sector in 0..SECTORS {
-            let a = ring * (SECTORS + 1) + sector;
-            let b = a + SECTORS + 1;
-            mesh.triangles.extend([[a, b, b + 1], [a, b + 1, a + 1]]);
-        }
-    }
-    mesh.normals = mesh.positions.clone();
-    mesh
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn sphere_is_closed_and_faces_outward() {
-        let sphere = unit_sphere();
-        let volume: f32 = sphere
-            .triangles
-            .iter()
-            .map(|t| t.map(|i| sphere.positions[i as usize]))
-            .map(|[a, b, c]| a.dot(b.cross(c)) / 6.0)
-            .sum();
-        let full = 4.0 / 3.0 * std::f32::consts::PI;
-        assert!((volume / full - 1.0).abs() < 0.01, "{volume}");
-    }
 
     #[test]
     fn missing_normals_are_made() {

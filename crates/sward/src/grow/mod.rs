@@ -5,6 +5,7 @@ mod darts;
 mod fragment;
 mod mask;
 mod noise;
+pub(crate) mod obstacles;
 mod order;
 pub(crate) mod patches;
 mod random;
@@ -16,7 +17,7 @@ mod texels;
 mod tint;
 pub(crate) mod tufts;
 mod walk;
-mod weld;
+pub(crate) mod weld;
 
 use crate::{Error, Range, Species};
 use glam::Vec3;

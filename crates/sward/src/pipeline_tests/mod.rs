@@ -15,3 +15,4 @@ mod rig;
 mod scenes;
 mod tints;
 mod views;
+mod wind;

@@ -3,6 +3,7 @@
 mod colors;
 mod input;
 mod masks;
+mod obstacles;
 mod patches;
 mod scatter;
 

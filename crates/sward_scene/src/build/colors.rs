@@ -5,11 +5,26 @@ use crate::assets::{self, Part, TextureImage};
 use crate::check::Key;
 use crate::error::SceneError;
 use crate::objects::Placed;
-use crate::schema::{ColorFile, FieldFile, linear_from_srgb};
-use sward::{ColorImage, ColorMap};
+use crate::schema::{ColorFile, FieldFile, SceneFile, linear_from_srgb};
+use sward::{ColorImage, ColorMap, FieldDesc};
+
+/// Sets each field's map; `hosts` are the indices of the objects that they grow on.
+pub(super) fn set_maps(
+    context: &Context,
+    file: &SceneFile,
+    placed: &[Placed],
+    hosts: &[usize],
+    descs: &mut [FieldDesc],
+) -> Result<(), SceneError> {
+    for (index, (field, desc)) in file.fields.iter().zip(descs).enumerate() {
+        let key = Key::list("fields", index);
+        desc.color_map = map(context, field, &placed[hosts[index]], &key)?;
+    }
+    Ok(())
+}
 
 /// The map of a field that grows on `host`.
-pub(super) fn map(
+fn map(
     context: &Context,
     field: &FieldFile,
     host: &Placed,

@@ -3,21 +3,21 @@
 //! `"#rrggbb"` (sRGB) or `(r, g, b)` (linear, 0..=1). A range is `(min, max)` or one number. Paths
 //! are relative to the scene file.
 
+mod bodies;
 mod field;
 mod light;
 mod motion;
 mod object;
 mod source;
 mod value;
+mod wind;
 
+pub use bodies::{BodiesFile, BodyShapeFile};
 pub use field::{
     ColorFile, DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile,
     SpeciesFile, TuftsFile,
 };
-pub use light::{
-    CullingFile, GravityFile, GroundFile, GustsFile, PhysicsFile, SkyFile, SunFile, WavesFile,
-    WindFile,
-};
+pub use light::{CullingFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile};
 pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
 pub use source::{
@@ -26,6 +26,7 @@ pub use source::{
 };
 pub(crate) use value::linear_from_srgb;
 pub use value::{Color, Span};
+pub use wind::{CosineFile, FanFile, GustsFile, RotorFile, VortexFile, WavesFile, WindFile};
 
 use serde::Deserialize;
 
@@ -45,6 +46,8 @@ pub struct SceneFile {
     pub wind: Vec<WindFile>,
     /// Spheres that push blades; default none.
     pub spheres: Vec<SphereFile>,
+    /// Rigid bodies, which fall, bounce, roll and push blades; default none.
+    pub bodies: Vec<BodiesFile>,
     /// The sun.
     pub sun: SunFile,
     /// Sky and haze.
@@ -75,6 +78,7 @@ impl Default for SceneFile {
                 WindFile::Gusts(GustsFile::default()),
             ],
             spheres: Vec::new(),
+            bodies: Vec::new(),
             sun: SunFile::default(),
             sky: SkyFile::default(),
             ground: GroundFile::default(),

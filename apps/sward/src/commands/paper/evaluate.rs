@@ -2,7 +2,7 @@
 
 use super::quantity::{Condition, SceneName};
 use crate::commands::grow_timed;
-use crate::measure::{self, Measured, Report, frames_run};
+use crate::measure::{self, Measured, Measuring, Report, frames_run};
 use crate::progress;
 use anyhow::{Context, Result};
 use image::RgbImage;
@@ -40,43 +40,59 @@ pub struct Run {
     pub picture: RgbImage,
 }
 
-/// All conditions of a scene, grown once.
+/// All conditions of a scene, grown once and measured in turns.
 pub fn evaluate(gpu: &Gpu, name: SceneName, scene: &Scene, settings: Settings) -> Result<Vec<Run>> {
     let (fields, grow_s) = grow_timed(scene, gpu, GrowOptions::default(), settings.quiet)?;
     let patch_size = fields.first().map_or(0, sward::Field::patch_size);
-    let one = |condition: Condition| {
-        let mut options = StageOptions::new(scene, None, settings.size, settings.samples)?;
-        match condition {
-            Condition::All => {}
-            Condition::NoCollisions => options.collisions = false,
-            Condition::NoCulling => options.culling = no_culling(options.culling),
-        }
-        let what = format!("{}, {}", name.key(), condition.name());
-        let steps = u64::from(settings.counted_frame());
-        let bar = progress::bar(settings.quiet, &what, steps);
+    let bar = progress::bar(
+        settings.quiet,
+        &format!("measuring {}", name.key()),
+        u64::from(settings.counted_frame()) * Condition::ALL.len() as u64,
+    );
+    let options = Condition::ALL.map(|condition| options(scene, condition, settings));
+    let options = options.into_iter().collect::<Result<Vec<_>>>()?;
+    let stages = options.iter().map(|options| {
         let mut stage = Stage::new(gpu, scene, &fields, options.clone())?;
         stage.warm_up()?;
-        let times = measure::measure(gpu, &mut stage, settings.frames, false, &|| bar.step())?;
+        Ok(stage)
+    });
+    let mut stages = stages.collect::<Result<Vec<_>>>()?;
+    let mut measuring: Vec<_> = stages.iter_mut().map(Measuring::new).collect();
+    measure::measure_in_turns(gpu, &mut measuring, settings.frames, &|| bar.step())?;
+    let times: Vec<_> = measuring.into_iter().map(|measuring| measuring.times).collect();
+    let runs = Condition::ALL.into_iter().zip(options).zip(stages.into_iter().zip(times));
+    runs.map(|((condition, options), (mut stage, times))| {
         // Time stands still from here on: what is counted is the frame that is drawn.
         let statistics = measure::statistics(gpu, &mut stage, true)?
             .context("the device gave no statistics back")?;
         stage.step(0.0)?;
         let picture = stage.render()?;
         let gpu_bytes = stage.gpu_bytes();
-        let without = match condition {
-            Condition::All => Vec::new(),
-            Condition::NoCollisions => vec!["collisions".into()],
-            Condition::NoCulling => vec!["culling".into()],
-        };
         let measured = Measured { times, statistics, gpu_bytes, patch_size, grow_s };
-        let report = Report::new(gpu, scene, &options, without, measured);
-        let spheres = match condition {
-            Condition::NoCollisions => 0,
-            _ => spheres(scene),
-        };
+        let report = Report::new(gpu, scene, &options, without(condition), measured);
+        let spheres = if options.collisions { spheres(scene) } else { 0 };
         Ok(Run { scene: name, condition, report, spheres, picture })
-    };
-    Condition::ALL.into_iter().map(one).collect()
+    })
+    .collect()
+}
+
+fn options(scene: &Scene, condition: Condition, settings: Settings) -> Result<StageOptions> {
+    let mut options = StageOptions::new(scene, None, settings.size, settings.samples)?;
+    match condition {
+        Condition::All => {}
+        Condition::NoCollisions => options.collisions = false,
+        Condition::NoCulling => options.culling = no_culling(options.culling),
+    }
+    Ok(options)
+}
+
+/// As `bench` names it.
+fn without(condition: Condition) -> Vec<String> {
+    match condition {
+        Condition::All => Vec::new(),
+        Condition::NoCollisions => vec!["collisions".into()],
+        Condition::NoCulling => vec!["culling".into()],
+    }
 }
 
 fn spheres(scene: &Scene) -> u64 {

@@ -51,15 +51,6 @@ impl Condition {
             Self::NoCulling => "culling_off",
         }
     }
-
-    /// As in text.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::All => "everything on",
-            Self::NoCollisions => "collisions off",
-            Self::NoCulling => "culling off",
-        }
-    }
 }
 
 /// A row of the tables.

@@ -92,7 +92,8 @@ impl Results {
                  {counted} are run stage by stage, each submitted and waited for, so their sum is \
                  above a whole frame. Times are medians over {frames} frames \
                  with the 99th percentile behind them, by wall clock; frames a second are those of \
-                 the median whole frame. Counts are of frame {counted}.",
+                 the median whole frame. The three conditions of a scene are measured in turns of \
+                 a few frames, so that a busy machine slows all alike. Counts are of frame {counted}.",
                 warm_up + 1,
                 warm_up + frames,
                 warm_up + frames + 2,
