@@ -76,7 +76,9 @@ fn whirl_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) 
     if source.pulse != 0.0 {
         spokes = source.pulse * speed * spoke_wave(source, at, seconds_ago, 3.0 * gusts.x);
     }
-    let shaken = gusts * (2.0 * source.turbulence * (speed + core));
+    // Where air comes down or goes up, it is the most irregular
+    let shaken =
+        gusts * (2.0 * source.turbulence * (speed + core * (1.0 + 2.0 * abs(source.flow.z))));
     let level = flow * (1.0 + spokes) + shaken;
     let upward =
         source.flow.z * core * core * (1.0 + spokes + 2.0 * source.turbulence * gusts.y);
