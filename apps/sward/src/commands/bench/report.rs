@@ -66,7 +66,8 @@ pub struct Report {
     blades_culled: Culled,
     blades_dropped: u64,
     spheres_tested: u64,
-    spheres_dropped: u64,
+    #[serde(default)]
+    patches_crowded: u64,
     vertices: u64,
     ms: Milliseconds,
     /// How the times were taken.
@@ -119,7 +120,7 @@ impl Report {
             },
             blades_dropped: counted.dropped,
             spheres_tested: counted.spheres_tested,
-            spheres_dropped: counted.spheres_dropped,
+            patches_crowded: counted.patches_crowded,
             vertices: counted.vertices,
             ms: Milliseconds {
                 frame: Percentiles::of(&times.frame),
@@ -210,7 +211,7 @@ fn counts(report: &Report, baseline: Option<&Report>) -> Table {
         ("culled by occlusion", |r| r.blades_culled.occlusion),
         ("dropped (list full)", |r| r.blades_dropped),
         ("spheres tested", |r| r.spheres_tested),
-        ("spheres dropped", |r| r.spheres_dropped),
+        ("patches crowded", |r| r.patches_crowded),
         ("vertices", |r| r.vertices),
         ("bytes on the GPU", |r| r.gpu_bytes),
     ];
