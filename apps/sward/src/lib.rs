@@ -4,6 +4,7 @@
 pub mod compare;
 pub mod gpu;
 pub mod grow;
+pub mod picture;
 pub mod stage;
 
 /// The program in the project's README compiles.

@@ -3,6 +3,7 @@
 mod args;
 mod commands;
 mod input;
+mod measure;
 mod output;
 mod progress;
 mod table;
@@ -30,6 +31,7 @@ Examples:
   sward render scenes/meadow.ron -o meadow.png
   sward render scenes/meadow.ron --frames 0..120 -o f/%04d.png
   sward bench scenes/reference.ron --json bench.json
+  sward paper -o paper
 
 WGPU_BACKEND and WGPU_ADAPTER_NAME choose the graphics adapter.";
 

@@ -157,6 +157,14 @@ pub fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<()> {
     write_file(path, &bytes)
 }
 
+/// Writes text.
+///
+/// # Errors
+/// Where it cannot be written; then there is no new file.
+pub fn write_text(path: &Path, text: &str) -> Result<()> {
+    write_file(path, text.as_bytes())
+}
+
 /// Makes the folder of a file that will be written later, and tries it. `option` names it in
 /// messages.
 ///

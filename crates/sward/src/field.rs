@@ -1,6 +1,7 @@
 //! A field: a surface, its species, density and seed, grown into blades and patches.
 
 use crate::error::{above_zero, within};
+use crate::grow::obstacles::Obstacle;
 use crate::grow::surface::Surface;
 use crate::grow::{self, Blade, Patch};
 use crate::{Error, Species};
@@ -83,6 +84,9 @@ pub struct FieldDesc {
     pub max_slope_deg: f32,
     /// World heights (y) that bear grass, metres.
     pub height_limits_m: (f32, f32),
+    /// Things in world space that no root grows inside of; blades elsewhere stay as they are
+    /// without them.
+    pub obstacles: Vec<Obstacle>,
     /// 0 grows along the surface's normal, 1 straight up (+y).
     pub upright: f32,
     /// Blades a patch: a multiple of 64, at most 1024. Smaller patches cull more exactly and cost
@@ -107,6 +111,7 @@ impl Default for FieldDesc {
             density_map: None,
             max_slope_deg: 180.0,
             height_limits_m: (f32::NEG_INFINITY, f32::INFINITY),
+            obstacles: Vec::new(),
             upright: 0.0,
             patch_size: 256,
             metric: Metric::Euclidean,
@@ -207,7 +212,7 @@ impl Field {
 
 impl FieldDesc {
     /// Blades that growing starts with: `count`, or `density` times the area; the density map, the
-    /// slope and the heights remove some of them. Known at once, so that a host can refuse a field
+    /// slope, the heights and the obstacles remove some of them. Known at once, so that a host can refuse a field
     /// that does not fit (see [`crate::Renderer::check_blades`]) before it grows.
     pub fn planned_blades(&self, surface: &Surface) -> u64 {
         // The conversion saturates; no blade comes of NaN.
@@ -234,6 +239,7 @@ impl FieldDesc {
             let cause = format!("{low} to {high} holds no height; give the lower limit first");
             return Err(Error::setting("height_limits_m", cause));
         }
+        self.obstacles.iter().enumerate().try_for_each(|(i, obstacle)| obstacle.check(i))?;
         within("upright", self.upright, 0.0, 1.0)?;
         check_patch_size(self.patch_size)?;
         if self.max_blades == 0 {

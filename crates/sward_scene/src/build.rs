@@ -90,6 +90,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
     let cameras =
         views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
     let spheres = views::spheres(file, &placed).map_err(|problem| context.error(problem))?;
+    let bodies = crate::bodies::groups(file, &placed).map_err(|problem| context.error(problem))?;
     let descs = fields::descriptions(context, file)?;
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
     let mut fields = Vec::with_capacity(descs.len());
@@ -114,6 +115,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         cameras,
         wind: checked.wind,
         spheres,
+        bodies,
         light: checked.light,
         sky: checked.sky,
         gravity: checked.gravity,
@@ -204,6 +206,7 @@ fn finish(
                 area_m2: surface.area_m2(),
                 dropped_triangles: surface.dropped_triangles(),
                 texture: None,
+                path: None,
             });
         }
     }

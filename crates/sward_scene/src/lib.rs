@@ -18,21 +18,25 @@
 //! [`Scene::notes`].
 
 mod assets;
+mod bodies;
 mod build;
 pub mod camera;
 mod check;
 mod error;
 mod locate;
+mod motion;
 mod objects;
 pub mod schema;
 mod spheres;
 
 pub use assets::TextureImage;
+pub use bodies::{Bodies, Body, BodyGroup, BodyShape};
 pub use build::{load, parse};
 pub use camera::Camera;
 pub use error::SceneError;
+pub use motion::{Path, PathKey};
 pub use objects::Object;
-pub use spheres::{MovingSphere, SphereKey};
+pub use spheres::MovingSphere;
 
 use glam::Vec3;
 use std::path::PathBuf;
@@ -54,6 +58,8 @@ pub struct Scene {
     pub wind: Vec<sward::WindSource>,
     /// Spheres that push blades aside.
     pub spheres: Vec<MovingSphere>,
+    /// Rigid bodies, by kind; [`Bodies`] moves them.
+    pub bodies: Vec<BodyGroup>,
     /// The sun.
     pub light: SunSettings,
     /// Sky and haze.
@@ -163,7 +169,7 @@ impl Scene {
 
     /// The spheres at a time, as the library takes them.
     pub fn spheres_at(&self, time_s: f32) -> Vec<sward::Sphere> {
-        self.spheres.iter().filter_map(|sphere| sphere.at(time_s)).collect()
+        self.spheres.iter().map(|sphere| sphere.at(time_s)).collect()
     }
 }
 

@@ -1,14 +1,14 @@
 //! `sward bench`: what a scene costs.
 
-mod measure;
 mod report;
 
 use super::{grow_timed, load, tell_notes};
 use crate::args::Size;
+use crate::measure::{self, Measured, Report};
 use crate::output;
 use crate::progress;
 use anyhow::{Context, Result, bail};
-use report::Report;
+use clap::ValueEnum;
 use std::io::Write;
 use std::path::PathBuf;
 use sward_app::gpu::Gpu;
@@ -151,18 +151,19 @@ fn measure_once(
     let patch_size = fields.first().map_or(0, sward::Field::patch_size);
     let mut stage = Stage::new(gpu, scene, &fields, options.clone())?;
     drop(fields);
-    let steps = u64::from(args.frames) * 2 + u64::from(args.frames.min(20));
+    let steps = u64::from(measure::frames_run(args.frames));
     let bar = progress::bar(quiet, "measuring", steps);
     stage.warm_up()?;
     let still = args.without.contains(&Without::Physics);
     let times = measure::measure(gpu, &mut stage, args.frames, still, &|| bar.step())?;
     let statistics = measure::statistics(gpu, &mut stage, still)?
         .context("the device gave no statistics back")?;
+    let names = args.without.iter().filter_map(Without::to_possible_value);
     Ok(Report::new(
         gpu,
         scene,
         options,
-        &args.without,
-        report::Measured { times, statistics, gpu_bytes: stage.gpu_bytes(), patch_size, grow_s },
+        names.map(|name| name.get_name().to_string()).collect(),
+        Measured { times, statistics, gpu_bytes: stage.gpu_bytes(), patch_size, grow_s },
     ))
 }

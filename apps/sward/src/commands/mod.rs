@@ -4,6 +4,7 @@ mod bench;
 mod check;
 mod compare;
 mod info;
+mod paper;
 mod render;
 
 use crate::progress;
@@ -24,6 +25,7 @@ pub enum Command {
     Check(check::Args),
     Compare(compare::Args),
     Info(info::Args),
+    Paper(paper::Args),
 }
 
 /// Runs a subcommand.
@@ -34,6 +36,7 @@ pub fn run(command: Command, quiet: bool) -> Result<()> {
         Command::Check(args) => check::run(args, quiet),
         Command::Compare(args) => compare::run(args),
         Command::Info(args) => info::run(args),
+        Command::Paper(args) => paper::run(args, quiet),
     }
 }
 

@@ -1,9 +1,9 @@
 //! Meshes of the scene's opaque things on the GPU.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{Vec2, Vec3};
-use sward::{ColorRange, Mesh, Sphere};
-use sward_scene::{MovingSphere, Scene};
+use glam::{Quat, Vec2, Vec3};
+use sward::{ColorRange, Mesh};
+use sward_scene::Scene;
 use wgpu::util::DeviceExt;
 
 #[repr(C)]
@@ -21,11 +21,22 @@ struct GpuVertex {
 pub(super) struct GpuPlacement {
     pub position: Vec3,
     pub scale: f32,
+    /// A quaternion.
+    pub rotation: [f32; 4],
     pub color: [f32; 3],
     pub roughness: f32,
     /// RGB and share of the grass on it; a share below 0 means none.
     pub grass: [f32; 4],
+    /// RGB of every other stripe along the longitudes, and how many there are; 0 means none.
+    pub stripe: [f32; 4],
 }
+
+/// On a thing that carries none.
+pub(super) const NO_GRASS: [f32; 4] = [0.0, 0.0, 0.0, -1.0];
+/// Of one colour.
+pub(super) const NO_STRIPES: [f32; 4] = [0.0; 4];
+/// Pairs of stripes round a ball.
+pub(super) const STRIPES: f32 = 3.0;
 
 /// Vertex buffers of the opaque pass.
 pub(super) const VERTEX_BUFFERS: [Option<wgpu::VertexBufferLayout<'static>>; 2] = [
@@ -39,7 +50,8 @@ pub(super) const VERTEX_BUFFERS: [Option<wgpu::VertexBufferLayout<'static>>; 2] 
     Some(wgpu::VertexBufferLayout {
         array_stride: size_of::<GpuPlacement>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
-        attributes: &wgpu::vertex_attr_array![4 => Float32x4, 5 => Float32x4, 6 => Float32x4],
+        attributes: &wgpu::vertex_attr_array![4 => Float32x4, 5 => Float32x4, 6 => Float32x4, 7 => Float32x4, 8 => Float32x4
+        ],
     }),
 ];
 
@@ -90,10 +102,15 @@ impl GpuMesh {
 
     /// Moves the instances; as many as there were.
     pub fn place(&self, queue: &wgpu::Queue, placements: &[GpuPlacement]) {
-        queue.write_buffer(&self.placements, 0, bytemuck::cast_slice(placements));
+        if !placements.is_empty() {
+            queue.write_buffer(&self.placements, 0, bytemuck::cast_slice(placements));
+        }
     }
 
     pub fn draw(&self, pass: &mut wgpu::RenderPass) {
+        if self.placement_count == 0 {
+            return;
+        }
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_vertex_buffer(1, self.placements.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
@@ -117,25 +134,10 @@ pub(super) fn with_normals(mesh: &Mesh) -> Mesh {
     mesh
 }
 
-/// Places of the spheres that show.
-pub(super) fn sphere_placements(spheres: &[MovingSphere], time_s: f32) -> Vec<GpuPlacement> {
-    let place = |sphere: &MovingSphere| {
-        let Sphere { center, radius } = sphere.at(time_s)?;
-        Some(GpuPlacement {
-            position: center,
-            scale: radius,
-            color: sphere.base_color,
-            roughness: sphere.roughness,
-            grass: [0.0, 0.0, 0.0, -1.0],
-        })
-    };
-    spheres.iter().filter(|sphere| sphere.visible).filter_map(place).collect()
-}
-
 /// Place and material of an object; ground takes the mean colour of the grass that grows on it.
 pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
     let object = &scene.objects[index];
-    let mut grass = [0.0, 0.0, 0.0, -1.0];
+    let mut grass = NO_GRASS;
     if object.carries_grass {
         let [r, g, b] = mean_grass_color(scene, index);
         grass = [r, g, b, scene.ground.grass_tint];
@@ -143,6 +145,8 @@ pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
     GpuPlacement {
         position: Vec3::ZERO,
         scale: 1.0,
+        rotation: Quat::IDENTITY.to_array(),
+        stripe: NO_STRIPES,
         color: object.base_color,
         roughness: object.roughness,
         grass,
@@ -168,45 +172,9 @@ fn mean_grass_color(scene: &Scene, object: usize) -> [f32; 3] {
     (sum * CANOPY_SHADE / area.max(f32::MIN_POSITIVE)).into()
 }
 
-/// A unit sphere of latitudes and longitudes.
-pub(super) fn unit_sphere() -> Mesh {
-    const RINGS: u32 = 32;
-    const SECTORS: u32 = 64;
-    let mut mesh = Mesh::default();
-    for ring in 0..=RINGS {
-        let (sin_t, cos_t) = (std::f32::consts::PI * ring as f32 / RINGS as f32).sin_cos();
-        for sector in 0..=SECTORS {
-            let (sin_p, cos_p) = (std::f32::consts::TAU * sector as f32 / SECTORS as f32).sin_cos();
-            mesh.positions.push(Vec3::new(sin_t * cos_p, cos_t, -sin_t * sin_p));
-        }
-    }
-    for ring in 0..RINGS {
-        for sector in 0..SECTORS {
-            let a = ring * (SECTORS + 1) + sector;
-            let b = a + SECTORS + 1;
-            mesh.triangles.extend([[a, b, b + 1], [a, b + 1, a + 1]]);
-        }
-    }
-    mesh.normals = mesh.positions.clone();
-    mesh
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn sphere_is_closed_and_faces_outward() {
-        let sphere = unit_sphere();
-        let volume: f32 = sphere
-            .triangles
-            .iter()
-            .map(|t| t.map(|i| sphere.positions[i as usize]))
-            .map(|[a, b, c]| a.dot(b.cross(c)) / 6.0)
-            .sum();
-        let full = 4.0 / 3.0 * std::f32::consts::PI;
-        assert!((volume / full - 1.0).abs() < 0.01, "{volume}");
-    }
 
     #[test]
     fn missing_normals_are_made() {

@@ -7,9 +7,11 @@ mod clock;
 mod frame;
 mod fullscreen;
 mod meshes;
+mod movers;
 mod opaque;
 mod passes;
 mod readback;
+mod shapes;
 mod targets;
 mod texture;
 
@@ -20,13 +22,11 @@ use anyhow::{Context, Result};
 use frame::{CameraMatrices, FrameUniform};
 use glam::Vec2;
 use image::RgbImage;
+use movers::Movers;
 use opaque::Opaque;
 use passes::{Accumulator, Passes};
-use sward::{
-    Collider, ColliderShape, Culling, Field, Frame, Light, PhysicsModel, Pose, Renderer,
-    Statistics, View, Wind,
-};
-use sward_scene::{Camera, MovingSphere, Scene};
+use sward::{Culling, Field, Frame, Light, PhysicsModel, Renderer, Statistics, View, Wind};
+use sward_scene::{Camera, Scene};
 use targets::Targets;
 
 /// Renders a side that a reference adds up: 8 x 8 places inside a pixel, one sample each.
@@ -85,7 +85,7 @@ pub struct Stage {
     wind: Wind,
     light: Light,
     gravity: sward::Gravity,
-    spheres: Vec<MovingSphere>,
+    movers: Movers,
     time_s: f64,
     warm_up_s: f64,
     jitter_px: Vec2,
@@ -115,7 +115,8 @@ impl Stage {
         }
         let uniform = FrameUniform::new(device, scene, &light);
         let targets = Targets::new(device, options.size, samples);
-        let opaque = Opaque::new(gpu, &uniform, scene, samples);
+        let movers = Movers::new(scene);
+        let opaque = Opaque::new(gpu, &uniform, scene, &movers, samples);
         let passes = Passes::new(device, &uniform, &targets, samples);
         let warm_up_s = f64::from(scene.warm_up_s);
         let mut stage = Self {
@@ -129,7 +130,7 @@ impl Stage {
             wind: Wind::new(scene.wind.clone())?,
             light,
             gravity: scene.gravity,
-            spheres: scene.spheres.clone(),
+            movers,
             time_s: -warm_up_s,
             warm_up_s,
             jitter_px: Vec2::ZERO,
@@ -221,12 +222,12 @@ impl Stage {
         self.time_s += dt_s;
         self.wind.advance(dt_s);
         let time_s = self.time_s as f32;
-        let placements = meshes::sphere_placements(&self.spheres, time_s);
-        if self.opaque.move_spheres(&self.gpu.queue, placements) {
+        self.movers.advance(self.time_s);
+        if self.opaque.place(&self.gpu.queue, self.movers.placements(time_s)) {
             self.depth_is_opaque = false;
         }
         let colliders: Vec<_> = match self.options.collisions {
-            true => self.spheres.iter().filter_map(|s| collider(s, time_s, dt_s as f32)).collect(),
+            true => self.movers.colliders(time_s, dt_s as f32),
             false => Vec::new(),
         };
         let frame = Frame {
@@ -350,15 +351,6 @@ impl Stage {
     pub fn gpu_bytes(&self) -> u64 {
         self.renderer.gpu_bytes()
     }
-}
-
-/// A sphere as it pushes blades: with where it was a step ago, so that it is swept from there.
-fn collider(sphere: &MovingSphere, time_s: f32, dt_s: f32) -> Option<Collider<'static>> {
-    let (now, last) = (sphere.at(time_s)?, sphere.at(time_s - dt_s)?);
-    let shape = ColliderShape::Sphere { radius: now.radius };
-    let moves = now.center != last.center;
-    let last_pose = moves.then_some(Pose::at(last.center));
-    Some(Collider { shape, pose: Pose::at(now.center), last_pose })
 }
 
 /// The renderer's view of the camera.

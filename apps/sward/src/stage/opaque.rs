@@ -3,26 +3,34 @@
 
 use super::frame::FrameUniform;
 use super::meshes::{self, GpuMesh, GpuPlacement, VERTEX_BUFFERS};
+use super::movers::Movers;
 use super::texture::{self, Uploader};
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
 use sward_scene::Scene;
 
-/// Draws objects and visible spheres.
+/// Draws objects, and all that moves.
 #[derive(Debug)]
 pub(super) struct Opaque {
     depth: wgpu::RenderPipeline,
     color: wgpu::RenderPipeline,
+    /// Those that rest.
     objects: Vec<GpuMesh>,
-    spheres: Option<GpuMesh>,
-    placed: Vec<GpuPlacement>,
+    moving: Vec<GpuMesh>,
+    placed: Vec<Vec<GpuPlacement>>,
 }
 
 impl Opaque {
-    pub fn new(gpu: &Gpu, frame: &FrameUniform, scene: &Scene, samples: u32) -> Self {
+    pub fn new(
+        gpu: &Gpu,
+        frame: &FrameUniform,
+        scene: &Scene,
+        movers: &Movers,
+        samples: u32,
+    ) -> Self {
         let layout = texture::layout(&gpu.device);
         let uploader = Uploader::new(&gpu.device, &gpu.queue, &layout);
         let objects = (0..scene.objects.len())
-            .filter(|&i| scene.objects[i].visible)
+            .filter(|&i| scene.objects[i].visible && scene.objects[i].path.is_none())
             .map(|i| {
                 let object = &scene.objects[i];
                 let placement = meshes::object_placement(scene, i);
@@ -31,19 +39,25 @@ impl Opaque {
                 GpuMesh::new(&gpu.device, &mesh, &[placement], texture)
             })
             .collect();
-        let placed = meshes::sphere_placements(&scene.spheres, -scene.warm_up_s);
-        let spheres = (!placed.is_empty()).then(|| {
-            GpuMesh::new(&gpu.device, &meshes::unit_sphere(), &placed, uploader.upload(None))
-        });
+        let placed = movers.placements(-scene.warm_up_s);
+        let things = movers.things(scene).into_iter().zip(&placed);
+        let moving = things
+            .map(|(thing, placed)| {
+                let texture = uploader.upload(thing.texture);
+                GpuMesh::new(&gpu.device, &thing.mesh, placed, texture)
+            })
+            .collect();
         let make = |colored| pipeline(&gpu.device, &frame.layout, &layout, samples, colored);
-        Self { depth: make(false), color: make(true), objects, spheres, placed }
+        Self { depth: make(false), color: make(true), objects, moving, placed }
     }
 
-    /// Moves the spheres; says whether any has moved.
-    pub fn move_spheres(&mut self, queue: &wgpu::Queue, placements: Vec<GpuPlacement>) -> bool {
+    /// Moves what moves; says whether anything has moved.
+    pub fn place(&mut self, queue: &wgpu::Queue, placements: Vec<Vec<GpuPlacement>>) -> bool {
         let moved = placements != self.placed;
-        if let (true, Some(spheres)) = (moved, &self.spheres) {
-            spheres.place(queue, &placements);
+        if moved {
+            for (mesh, placed) in self.moving.iter().zip(&placements) {
+                mesh.place(queue, placed);
+            }
             self.placed = placements;
         }
         moved
@@ -67,7 +81,7 @@ impl Opaque {
     ) {
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &frame.group, &[]);
-        for mesh in self.objects.iter().chain(&self.spheres) {
+        for mesh in self.objects.iter().chain(&self.moving) {
             pass.set_bind_group(1, &mesh.texture, &[]);
             mesh.draw(pass);
         }

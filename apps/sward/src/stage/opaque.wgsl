@@ -10,10 +10,14 @@ struct VertexIn {
     @location(3) color: vec4<f32>,
     // xyz place, w scale
     @location(4) placement: vec4<f32>,
+    // A quaternion
+    @location(5) rotation: vec4<f32>,
     // rgb reflectance, w roughness
-    @location(5) material: vec4<f32>,
+    @location(6) material: vec4<f32>,
     // rgb of the grass that grows on it, w its share; below 0 where it carries none
-    @location(6) grass: vec4<f32>,
+    @location(7) grass: vec4<f32>,
+    // rgb of every other stripe, w how many there are
+    @location(8) stripe: vec4<f32>,
 }
 
 struct Surfel {
@@ -25,20 +29,40 @@ struct Surfel {
     @location(3) color: vec3<f32>,
     @location(4) @interpolate(flat) material: vec4<f32>,
     @location(5) @interpolate(flat) grass: vec4<f32>,
+    @location(6) @interpolate(flat) stripe: vec4<f32>,
+}
+
+fn turned(q: vec4<f32>, v: vec3<f32>) -> vec3<f32> {
+    return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v);
 }
 
 @vertex
 fn opaque_vertex(in: VertexIn) -> Surfel {
-    let world = in.position * in.placement.w + in.placement.xyz;
+    let world = turned(in.rotation, in.position * in.placement.w) + in.placement.xyz;
     return Surfel(
         frame.clip_from_world * vec4(world, 1.0),
         world,
-        in.normal,
+        turned(in.rotation, in.normal),
         in.uv,
         in.color.rgb,
         in.material,
         in.grass,
+        in.stripe,
     );
+}
+
+// A beach ball: stripes along the longitudes and a cap at each pole, their edges a pixel wide.
+fn striped(plain: vec3<f32>, stripe: vec4<f32>, uv: vec2<f32>) -> vec3<f32> {
+    // The seam of the longitudes jumps; it lies where a stripe ends, so its width may be that of v
+    let along = abs(fract(uv.x * stripe.w) - 0.5) - 0.25;
+    let along_px = max(length(vec2(dpdx(uv.y), dpdy(uv.y))) * stripe.w, 1e-6);
+    let cap = abs(uv.y - 0.5) - 0.44;
+    let cap_px = max(fwidth(uv.y), 1e-6);
+    let share = max(
+        clamp(along / along_px + 0.5, 0.0, 1.0),
+        clamp(cap / cap_px + 0.5, 0.0, 1.0),
+    );
+    return mix(plain, stripe.rgb, share * f32(stripe.w > 0.0));
 }
 
 // Specular of a dielectric: GGX with Schlick's Fresnel and a cheap visibility term.
@@ -60,7 +84,7 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
     // A zero normal, as a degenerate corner has, must not become NaN.
     var n = in.normal / max(length(in.normal), 1e-12);
     n = select(-n, n, front);
-    var albedo = in.material.rgb * in.color * texel;
+    var albedo = striped(in.material.rgb, in.stripe, in.uv) * in.color * texel;
     var canopy = 0.0;
     if in.grass.w >= 0.0 {
         let ground = ground_material(in.world, n, albedo, in.grass, pixel_m);

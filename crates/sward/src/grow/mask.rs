@@ -1,17 +1,19 @@
-//! What thins the density: a map, the slope, the height.
+//! What thins the density: a map, the slope, the height, and what stands in the grass.
 
+use super::obstacles::Obstacles;
 use super::surface::{Spot, Surface};
 use crate::{DensityMap, Error, FieldDesc};
 use glam::{Vec2, Vec4};
 
 /// Decides which roots stay.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub(crate) struct Mask<'a> {
     surface: &'a Surface,
     map: Option<&'a DensityMap>,
     /// Least y of the normal.
     least_up: f32,
     heights_m: (f32, f32),
+    obstacles: Obstacles<'a>,
 }
 
 impl<'a> Mask<'a> {
@@ -35,7 +37,8 @@ impl<'a> Mask<'a> {
             desc.max_slope_deg.to_radians().cos() - 1e-6
         };
         let map = desc.density_map.as_ref();
-        Ok(Self { surface, map, least_up, heights_m: desc.height_limits_m })
+        let obstacles = Obstacles::new(&desc.obstacles);
+        Ok(Self { surface, map, least_up, heights_m: desc.height_limits_m, obstacles })
     }
 
     /// Whether a root stays; `chance` is uniform in 0..1.
@@ -44,6 +47,7 @@ impl<'a> Mask<'a> {
             && spot.position.y >= self.heights_m.0
             && spot.position.y <= self.heights_m.1
             && chance < self.density(spot)
+            && !self.obstacles.contain(spot.position)
     }
 
     fn density(&self, spot: &Spot) -> f32 {

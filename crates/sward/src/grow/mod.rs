@@ -5,6 +5,7 @@ mod darts;
 mod fragment;
 mod mask;
 mod noise;
+pub(crate) mod obstacles;
 mod order;
 pub(crate) mod patches;
 mod random;
@@ -14,7 +15,7 @@ pub mod surface;
 pub mod terrain;
 pub(crate) mod tufts;
 mod walk;
-mod weld;
+pub(crate) mod weld;
 
 use crate::{Error, Range, Species};
 use glam::Vec3;

@@ -48,8 +48,8 @@ pub(crate) fn roots(surface: &Surface, desc: &FieldDesc) -> Result<Vec<Root>, Er
     roots.extend(tuft_roots);
     if roots.is_empty() {
         return Err(Error::mesh(format!(
-            "nothing grows: the density map, max_slope_deg and height_limits_m remove all {count} \
-             blades; widen them"
+            "nothing grows: the density map, max_slope_deg, height_limits_m and obstacles remove all \
+             {count} blades; widen or move them"
         )));
     }
     Ok(roots)

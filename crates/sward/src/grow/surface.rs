@@ -160,12 +160,6 @@ fn area_m2(positions: &[Vec3], triangle: &[u32; 3]) -> Option<f64> {
 
 fn check(mesh: &Mesh) -> Result<(), Error> {
     let count = mesh.positions.len();
-    if count == 0 || mesh.triangles.is_empty() {
-        return Err(Error::mesh(format!(
-            "it is empty: {count} vertices, {} triangles; grass needs at least one triangle",
-            mesh.triangles.len()
-        )));
-    }
     let lengths = [
         ("normals", mesh.normals.len()),
         ("texture coordinates", mesh.uvs.len()),
@@ -178,27 +172,41 @@ fn check(mesh: &Mesh) -> Result<(), Error> {
             )));
         }
     }
-    let bad = |what: &str, at: usize, value: String| {
-        Err(Error::mesh(format!("the {what} of vertex {at} is {value}; it must be finite")))
-    };
+    check_shape(mesh)?;
+    if let Some(i) = mesh.normals.iter().position(|n| !n.is_finite()) {
+        return Err(not_finite("normal", i, format!("{}", mesh.normals[i])));
+    }
+    if let Some(i) = mesh.uvs.iter().position(|uv| !uv.is_finite()) {
+        return Err(not_finite("texture coordinate", i, format!("{}", mesh.uvs[i])));
+    }
+    if let Some(i) = mesh.colors.iter().position(|c| !c.iter().all(|x| x.is_finite())) {
+        return Err(not_finite("colour", i, format!("{:?}", mesh.colors[i])));
+    }
+    Ok(())
+}
+
+fn not_finite(what: &str, at: usize, value: String) -> Error {
+    Error::mesh(format!("the {what} of vertex {at} is {value}; it must be finite"))
+}
+
+/// Checks positions and triangles alone.
+pub(crate) fn check_shape(mesh: &Mesh) -> Result<(), Error> {
+    let count = mesh.positions.len();
+    if count == 0 || mesh.triangles.is_empty() {
+        return Err(Error::mesh(format!(
+            "it is empty: {count} vertices, {} triangles; it needs at least one triangle",
+            mesh.triangles.len()
+        )));
+    }
     for (i, p) in mesh.positions.iter().enumerate() {
         if !p.is_finite() {
-            return bad("position", i, format!("{p}"));
+            return Err(not_finite("position", i, format!("{p}")));
         }
         if p.abs().max_element() > FARTHEST_M {
             return Err(Error::mesh(format!(
                 "the position of vertex {i} is {p}; keep within {FARTHEST_M:e} m of the origin"
             )));
         }
-    }
-    if let Some(i) = mesh.normals.iter().position(|n| !n.is_finite()) {
-        return bad("normal", i, format!("{}", mesh.normals[i]));
-    }
-    if let Some(i) = mesh.uvs.iter().position(|uv| !uv.is_finite()) {
-        return bad("texture coordinate", i, format!("{}", mesh.uvs[i]));
-    }
-    if let Some(i) = mesh.colors.iter().position(|c| !c.iter().all(|x| x.is_finite())) {
-        return bad("colour", i, format!("{:?}", mesh.colors[i]));
     }
     for (i, triangle) in mesh.triangles.iter().enumerate() {
         if let Some(v) = triangle.iter().find(|&&v| v as usize >= count) {

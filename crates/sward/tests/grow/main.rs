@@ -2,6 +2,7 @@
 
 mod input;
 mod masks;
+mod obstacles;
 mod patches;
 mod scatter;
 

@@ -63,6 +63,7 @@ fn checked(field: &FieldFile, key: &Key) -> Result<FieldDesc, Problem> {
         density_map: None,
         max_slope_deg: key.at("max_slope_deg").within(field.max_slope_deg, 0.0, 180.0)?,
         height_limits_m: (limits.min, limits.max),
+        obstacles: Vec::new(),
         upright: key.at("upright").within(field.upright, 0.0, 1.0)?,
         patch_size: field.patch_size,
         metric: match field.metric {

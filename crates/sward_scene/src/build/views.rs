@@ -3,7 +3,7 @@
 use crate::check::{Key, MAX_M, Problem};
 use crate::objects::{Placed, find};
 use crate::schema::{CameraFile, SceneFile, SphereFile};
-use crate::{Camera, MovingSphere, SphereKey};
+use crate::{Camera, MovingSphere, Path, motion};
 use glam::{Vec3, Vec3Swizzles};
 
 pub(super) fn cameras(
@@ -103,53 +103,23 @@ pub(super) fn spheres(file: &SceneFile, placed: &[Placed]) -> Result<Vec<MovingS
 fn sphere(file: &SphereFile, index: usize, placed: &[Placed]) -> Result<MovingSphere, Problem> {
     let key = Key::list("spheres", index);
     let radius = key.at("radius_m").above_zero(file.radius_m, MAX_M)?;
-    let mut path = Vec::with_capacity(file.path.len().max(1));
-    for (i, &(time_s, x, y, z)) in file.path.iter().enumerate() {
-        let key = key.at("path").index(i);
-        let before = path.last().map_or(f32::NEG_INFINITY, |key: &SphereKey| key.time_s);
-        key.within(time_s, 0.0, 100_000.0)?;
-        if time_s <= before {
-            return Err(
-                key.problem(format!("time {time_s} must be after the one before, {before}"))
-            );
-        }
-        path.push(SphereKey { time_s, center: key.vector([x, y, z])?, radius });
-    }
-    if path.is_empty() {
-        path.push(SphereKey { time_s: 0.0, center: key.at("at").vector(file.at)?, radius });
-    }
-    let mut sphere = MovingSphere {
-        name: file.name.clone().unwrap_or_else(|| format!("sphere {index}")),
-        path,
-        visible: file.visible,
-        base_color: key.at("base_color").color(file.base_color)?,
-        roughness: key.at("roughness").within(file.roughness, 0.0, 1.0)?,
+    let mut path = match &file.path {
+        Some(path) => Path::from_file(path, &key.at("path"))?,
+        None => Path::still(key.at("at").vector(file.at)?),
     };
     if let Some(name) = &file.above {
         let ground = find(placed, name, &key.at("above"))?.ground();
-        sphere.path = on_ground(&sphere, ground, radius);
+        let followed = motion::along_ground(&path, ground, radius);
+        path = motion::rolling(&followed, &path, ground, radius);
     }
-    Ok(sphere)
-}
-
-/// Keyframes close enough to follow the ground; where a path leaves it, the last height holds.
-fn on_ground(
-    sphere: &MovingSphere,
-    ground: &crate::objects::ground::Ground,
-    radius: f32,
-) -> Vec<SphereKey> {
-    const STEP_S: f32 = 1.0 / 15.0;
-    let first = sphere.path.first().map_or(0.0, |key| key.time_s);
-    let last = sphere.path.last().map_or(0.0, |key| key.time_s);
-    let steps = ((last - first) / STEP_S).ceil().min(50_000.0) as u32;
-    let mut floor = ground.min.y;
-    let mut path = Vec::with_capacity(steps as usize + 1);
-    for step in 0..=steps {
-        let time_s = first + (last - first) * step as f32 / steps.max(1) as f32;
-        let Some(ball) = sphere.at(time_s) else { continue };
-        floor = ground.height(ball.center.xz()).unwrap_or(floor);
-        let center = ball.center + Vec3::Y * (floor + radius);
-        path.push(SphereKey { time_s, center, radius });
-    }
-    path
+    let stripes = file.stripe_color.map(|color| key.at("stripe_color").color(color));
+    Ok(MovingSphere {
+        name: file.name.clone().unwrap_or_else(|| format!("sphere {index}")),
+        radius,
+        path,
+        visible: file.visible,
+        base_color: key.at("base_color").color(file.base_color)?,
+        stripe_color: stripes.transpose()?,
+        roughness: key.at("roughness").within(file.roughness, 0.0, 1.0)?,
+    })
 }

@@ -45,11 +45,25 @@ impl Ground {
 
     /// The highest point of the mesh at (x, z); `None` beside it.
     pub(crate) fn height(&self, point: Vec2) -> Option<f32> {
+        Some(self.highest(point)?.0)
+    }
+
+    /// Upward unit normal of the triangle at that point.
+    pub(crate) fn normal(&self, point: Vec2) -> Option<Vec3> {
+        let (_, [a, b, c]) = self.highest(point)?;
+        let normal = (b - a).cross(c - a).normalize_or(Vec3::Y);
+        Some(if normal.y < 0.0 { -normal } else { normal })
+    }
+
+    fn highest(&self, point: Vec2) -> Option<(f32, [Vec3; 3])> {
         let (x, z) = self.cell(point);
         let cell = self.cells.get(z * self.side + x)?;
         let triangles = cell.iter().filter_map(|&i| self.mesh.triangles.get(i as usize));
-        let heights = triangles.filter_map(|&t| height_on(corners(&self.mesh, t), point));
-        heights.reduce(f32::max)
+        let heights = triangles.filter_map(|&t| {
+            let corners = corners(&self.mesh, t);
+            Some((height_on(corners, point)?, corners))
+        });
+        heights.reduce(|a, b| if b.0 > a.0 { b } else { a })
     }
 }
 

@@ -3,7 +3,7 @@
 pub(crate) mod generate;
 pub(crate) mod ground;
 mod place;
-mod random;
+pub(crate) mod random;
 mod shapes;
 
 pub(crate) use place::{Placed, find};
@@ -31,4 +31,6 @@ pub struct Object {
     pub dropped_triangles: usize,
     /// Base colour texture, through the mesh's UVs, wrapping, row 0 at v = 0.
     pub texture: Option<TextureImage>,
+    /// Where it moves; its mesh then is in its own space.
+    pub path: Option<crate::Path>,
 }

@@ -3,12 +3,14 @@
 use super::ground::Ground;
 use super::random::Random;
 use super::{Object, generate};
+use crate::Path;
 use crate::assets::{self, Part, mesh};
 use crate::build::Context;
 use crate::check::{Key, MAX_M, Problem};
 use crate::error::SceneError;
+use crate::motion::{self, euler_deg};
 use crate::schema::{ObjectFile, ScatterFile, Source};
-use glam::{Affine3A, EulerRot, Quat, Vec2, Vec3, Vec3Swizzles};
+use glam::{Affine3A, Quat, Vec2, Vec3, Vec3Swizzles};
 use std::cell::OnceCell;
 use sward::Mesh;
 
@@ -18,6 +20,7 @@ pub(crate) struct Placed {
     pub(crate) name: String,
     pub(crate) parts: Vec<Part>,
     visible: bool,
+    path: Option<Path>,
     ground: OnceCell<Ground>,
 }
 
@@ -38,7 +41,7 @@ impl Placed {
         key: &Key,
     ) -> Result<Self, SceneError> {
         let parts = generate::parts(context, source, key, 0)?;
-        Ok(Self { name, parts, visible: true, ground: OnceCell::new() })
+        Ok(Self { name, parts, visible: true, path: None, ground: OnceCell::new() })
     }
 
     /// An object with its transform and copies; `others` are those listed before it.
@@ -51,6 +54,7 @@ impl Placed {
         let key = Key::list("objects", index);
         let name = file.name.clone().unwrap_or_else(|| format!("object {index}"));
         let transform = transform(file, &key).map_err(|problem| context.error(problem))?;
+        let path = path(file, &key, others).map_err(|problem| context.error(problem))?;
         let copies = copies(file, &key, others).map_err(|problem| context.error(problem))?;
         let mut parts: Vec<Part> = Vec::new();
         let same = !matches!(file.source, Source::Rock(_) | Source::Tree(_));
@@ -80,7 +84,8 @@ impl Placed {
         }
         mesh::check(parts.iter().map(|part| &part.mesh))
             .map_err(|cause| context.error(key.problem(cause)))?;
-        let mut placed = Self { name, parts, visible: file.visible, ground: OnceCell::new() };
+        let ground = OnceCell::new();
+        let mut placed = Self { name, parts, visible: file.visible, path, ground };
         placed.set_looks(context, file, &key)?;
         Ok(placed)
     }
@@ -146,6 +151,7 @@ impl Placed {
             area_m2: 0.0,
             dropped_triangles: 0,
             texture: part.texture,
+            path: self.path.clone(),
         };
         parts.map(object).collect()
     }
@@ -164,11 +170,28 @@ fn transform(file: &ObjectFile, key: &Key) -> Result<Affine3A, Problem> {
         }
     }
     let scale = key.at("scale").vector(file.scale.0)?;
-    let [x, y, z] = key.at("rotate_deg").vector(file.rotate_deg)?.to_array().map(f32::to_radians);
+    let turn = euler_deg(key.at("rotate_deg").vector(file.rotate_deg)?);
     let translate = key.at("translate").vector(file.translate)?;
-    // Turns about x, then y, then z, each about the world's axis: as a matrix product, z y x.
-    let turn = Quat::from_euler(EulerRot::ZYX, z, y, x);
     Ok(Affine3A::from_scale_rotation_translation(scale, turn, translate))
+}
+
+/// Where it moves; heights are over the object that it is above.
+fn path(file: &ObjectFile, key: &Key, others: &[Placed]) -> Result<Option<Path>, Problem> {
+    let Some(path) = &file.path else { return Ok(None) };
+    let key_of = key.at("path");
+    if !file.at.is_empty() || file.scatter.is_some() {
+        return Err(
+            key_of.problem("a thing that moves has no copies: leave out `at` and `scatter`")
+        );
+    }
+    let path = Path::from_file(path, &key_of)?;
+    Ok(Some(match &file.above {
+        None => path,
+        Some(name) => {
+            let ground = find(others, name, &key.at("above"))?.ground();
+            motion::along_ground(&path, ground, 0.0)
+        }
+    }))
 }
 
 fn copies(file: &ObjectFile, key: &Key, others: &[Placed]) -> Result<Vec<Copy>, Problem> {
@@ -194,6 +217,9 @@ fn copies(file: &ObjectFile, key: &Key, others: &[Placed]) -> Result<Vec<Copy>, 
             key.at("scatter").problem("needs `above`: the object to strew the copies over")
         })?;
         strew(scatter, &key.at("scatter"), ground, &mut random, &mut places)?;
+    }
+    if file.path.is_some() {
+        return Ok(vec![Copy { at: Vec3::ZERO, scale: 1.0, turn: 0.0, number: 0 }]);
     }
     if file.at.is_empty() && file.scatter.is_none() {
         let height = ground.and_then(|ground| ground.height(Vec2::ZERO)).unwrap_or(0.0);
@@ -253,9 +279,13 @@ pub(crate) fn find<'a>(
     name: &str,
     key: &Key,
 ) -> Result<&'a Placed, Problem> {
-    objects.iter().find(|object| object.name == name).ok_or_else(|| {
+    let found = objects.iter().find(|object| object.name == name).ok_or_else(|| {
         let known = objects.iter().map(|object| object.name.as_str()).collect::<Vec<_>>();
         let known = if known.is_empty() { "none".into() } else { known.join(", ") };
         key.problem(format!("no object '{name}' before this; there are: {known}"))
-    })
+    })?;
+    if found.path.is_some() {
+        return Err(key.problem(format!("'{name}' has a path: name an object that rests")));
+    }
+    Ok(found)
 }

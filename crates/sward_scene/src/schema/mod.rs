@@ -3,12 +3,15 @@
 //! `"#rrggbb"` (sRGB) or `(r, g, b)` (linear, 0..=1). A range is `(min, max)` or one number. Paths
 //! are relative to the scene file.
 
+mod bodies;
 mod field;
 mod light;
+mod motion;
 mod object;
 mod source;
 mod value;
 
+pub use bodies::{BodiesFile, BodyShapeFile};
 pub use field::{
     DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile, SpeciesFile, TuftsFile,
 };
@@ -16,6 +19,7 @@ pub use light::{
     CullingFile, GravityFile, GroundFile, GustsFile, PhysicsFile, SkyFile, SunFile, WavesFile,
     WindFile,
 };
+pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
 pub use source::{
     HeightmapFile, MobiusFile, PlaneFile, RockFile, Source, SphereMeshFile, TerrainFile, TorusFile,
@@ -41,6 +45,8 @@ pub struct SceneFile {
     pub wind: Vec<WindFile>,
     /// Spheres that push blades; default none.
     pub spheres: Vec<SphereFile>,
+    /// Rigid bodies, which fall, bounce, roll and push blades; default none.
+    pub bodies: Vec<BodiesFile>,
     /// The sun.
     pub sun: SunFile,
     /// Sky and haze.
@@ -71,6 +77,7 @@ impl Default for SceneFile {
                 WindFile::Gusts(GustsFile::default()),
             ],
             spheres: Vec::new(),
+            bodies: Vec::new(),
             sun: SunFile::default(),
             sky: SkyFile::default(),
             ground: GroundFile::default(),
@@ -134,15 +141,17 @@ pub struct SphereFile {
     pub radius_m: f32,
     /// Centre of a sphere that rests; default `(0, 0, 0)`.
     pub at: [f32; 3],
-    /// Keyframes `(time_s, x, y, z)` by rising time; default none. Straight in between.
-    pub path: Vec<(f32, f32, f32, f32)>,
+    /// Where it moves, in place of `at`; default none.
+    pub path: Option<PathFile>,
     /// An object by name: then y is the height of the sphere's lowest point above that object, and
-    /// the path follows it.
+    /// the path follows it. Where it touches, it rolls.
     pub above: Option<String>,
     /// Whether it is drawn; default true.
     pub visible: bool,
     /// Colour; default a warm grey.
     pub base_color: Color,
+    /// Colour of every other stripe, by which its turning shows; default none: it is plain.
+    pub stripe_color: Option<Color>,
     /// Roughness, 0..=1; default 0.5.
     pub roughness: f32,
 }
@@ -153,10 +162,11 @@ impl Default for SphereFile {
             name: None,
             radius_m: 0.5,
             at: [0.0; 3],
-            path: Vec::new(),
+            path: None,
             above: None,
             visible: true,
             base_color: Color([0.42, 0.38, 0.34]),
+            stripe_color: None,
             roughness: 0.5,
         }
     }

@@ -1,6 +1,6 @@
 //! Keys for objects.
 
-use super::{Color, Source, Span};
+use super::{Color, PathFile, Source, Span};
 use serde::Deserialize;
 
 /// An opaque thing.
@@ -34,7 +34,12 @@ pub struct ObjectFile {
     /// Whether it is drawn and hides what is behind; default true.
     #[serde(default = "yes")]
     pub visible: bool,
-    /// An object by name, listed before this one: copies stand on it.
+    /// Where it moves, after scale, turn and shift; default: it rests. Not with `at` or `scatter`,
+    /// and no grass grows on it.
+    #[serde(default)]
+    pub path: Option<PathFile>,
+    /// An object by name, listed before this one: copies stand on it; heights of a path are above
+    /// it.
     #[serde(default)]
     pub above: Option<String>,
     /// `(x, z)` of each copy, on `above` or at height 0; default: one, where `translate` says.

@@ -27,6 +27,17 @@ pub struct Times {
     pub post: Vec<f32>,
 }
 
+/// Frames that run unmeasured before `frames` that are measured as a whole; one more runs before
+/// those that are measured by stage.
+pub fn warm_up_frames(frames: u32) -> u32 {
+    frames.min(20)
+}
+
+/// Frames that [`measure`] runs.
+pub fn frames_run(frames: u32) -> u32 {
+    warm_up_frames(frames) + frames + 1 + frames
+}
+
 /// Measures `frames` whole frames and as many by stage, after a warm-up.
 pub fn measure(
     gpu: &Gpu,
@@ -35,20 +46,71 @@ pub fn measure(
     still: bool,
     progress: &dyn Fn(),
 ) -> Result<Times> {
-    let dt_s = if still { 0.0 } else { DT_S };
-    let mut times = Times::default();
-    for i in 0..frames + frames.min(20) {
-        let ms = whole_frame(gpu, stage, dt_s)?;
-        if i >= frames.min(20) {
-            times.frame.push(ms);
-        }
-        progress();
-    }
-    for _ in 0..frames {
-        by_stage(gpu, stage, dt_s, &mut times)?;
-        progress();
-    }
+    let mut measuring = [Measuring { still, ..Measuring::new(stage) }];
+    measure_in_turns(gpu, &mut measuring, frames, progress)?;
+    let [Measuring { times, .. }] = measuring;
     Ok(times)
+}
+
+/// A scene that is being measured.
+#[derive(Debug)]
+pub struct Measuring<'a> {
+    stage: &'a mut Stage,
+    /// Whether its time stands still.
+    still: bool,
+    /// What was measured.
+    pub times: Times,
+}
+
+impl<'a> Measuring<'a> {
+    /// Nothing yet.
+    pub fn new(stage: &'a mut Stage) -> Self {
+        Self { stage, still: false, times: Times::default() }
+    }
+
+    /// Runs a frame, as a whole or stage by stage.
+    fn run(&mut self, gpu: &Gpu, whole: bool, keep: bool) -> Result<()> {
+        let dt_s = if self.still { 0.0 } else { DT_S };
+        let mut unwanted = Times::default();
+        let times = if keep { &mut self.times } else { &mut unwanted };
+        if whole {
+            times.frame.push(whole_frame(gpu, self.stage, dt_s)?);
+            Ok(())
+        } else {
+            by_stage(gpu, self.stage, dt_s, times)
+        }
+    }
+}
+
+/// Frames that one scene runs before the next has its turn.
+const TURN: u32 = 5;
+
+/// Measures several scenes, each as [`measure`] does, in turns of a few frames: what slows the
+/// machine for a while slows all of them.
+pub fn measure_in_turns(
+    gpu: &Gpu,
+    scenes: &mut [Measuring],
+    frames: u32,
+    progress: &dyn Fn(),
+) -> Result<()> {
+    let phases = [
+        (true, false, warm_up_frames(frames)),
+        (true, true, frames),
+        // The first use of a stage by itself may compile it.
+        (false, false, 1),
+        (false, true, frames),
+    ];
+    for (whole, keep, count) in phases {
+        for first in (0..count).step_by(TURN as usize) {
+            for scene in scenes.iter_mut() {
+                for _ in first..count.min(first + TURN) {
+                    scene.run(gpu, whole, keep)?;
+                    progress();
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 fn whole_frame(gpu: &Gpu, stage: &mut Stage, dt_s: f64) -> Result<f32> {
