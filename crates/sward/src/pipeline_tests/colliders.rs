@@ -30,7 +30,7 @@ fn near_lists(rig: &Rig, chunks: u32) -> Vec<(BTreeSet<u32>, bool)> {
 
 /// Every primitive that the colliders make, by its entry on the GPU.
 fn entries(colliders: &[Collider]) -> (Vec<(u32, Primitive)>, u32) {
-    let expanded = expand(colliders, true);
+    let expanded = expand(colliders, PhysicsModel::Sward);
     let (resting, moving) = (Chunks::new(&expanded.resting), Chunks::new(&expanded.moving));
     let all: Vec<GpuPrimitive> = [&resting.entries[..], &moving.entries].concat();
     let known: Vec<_> = expanded.resting.iter().chain(&expanded.moving).copied().collect();

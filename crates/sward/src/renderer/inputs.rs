@@ -114,7 +114,7 @@ pub(crate) fn check(device: &wgpu::Device, frame: &Frame) -> Result<Lists, Error
     check_light(&frame.light)?;
     let wind = frame.wind.gpu_sources();
     at_most("wind", "sward's 64 wind sources", wind.len(), MAX_WIND_SOURCES)?;
-    let expanded = expand(frame.colliders, frame.physics == PhysicsModel::Sward);
+    let expanded = expand(frame.colliders, frame.physics);
     upload::check(&device.limits(), &expanded)?;
     Ok(Lists { wind, expanded })
 }

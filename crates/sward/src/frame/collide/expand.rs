@@ -1,7 +1,7 @@
 //! Colliders to primitives: which rest, which move, and how those that move are swept.
 
 use super::primitive::Primitive;
-use crate::{Collider, ColliderShape, Pose};
+use crate::{Collider, ColliderShape, PhysicsModel, Pose};
 use glam::{Quat, Vec3};
 
 /// Farther than this in one step, metres, and a thing is taken to be put elsewhere, not moved.
@@ -23,14 +23,16 @@ pub(crate) struct Expanded {
     pub(crate) moving: Vec<Primitive>,
 }
 
-/// Takes colliders apart. Without `sweep` those that move are where they are now, and no more: J's
-/// model knows no sweep.
-pub(crate) fn expand(colliders: &[Collider], sweep: bool) -> Expanded {
+/// Takes colliders apart. J's model knows no sweep: there a thing is where it is now. And it crushes
+/// a little more in every step, so that nothing counts as at rest, and no blade near it sleeps.
+pub(crate) fn expand(colliders: &[Collider], model: PhysicsModel) -> Expanded {
+    let sweep = model == PhysicsModel::Sward;
     let mut all = Expanded::default();
     for collider in colliders {
         let Some(pose) = collider.pose.sound() else { continue };
         let last = collider.last_pose.and_then(Pose::sound).filter(|last| *last != pose);
-        let into = if last.is_some() { &mut all.moving } else { &mut all.resting };
+        let moves = last.is_some() || !sweep;
+        let into = if moves { &mut all.moving } else { &mut all.resting };
         let near = last
             .filter(|last| sweep && last.translation.distance(pose.translation) <= LONGEST_SWEEP_M);
         let first = into.len();
