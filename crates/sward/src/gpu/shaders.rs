@@ -21,6 +21,7 @@ const WIND: &str = part!("frame/wind/wind.wgsl");
 const PRIMITIVE: &str = part!("frame/collide/primitive.wgsl");
 const NEAR: &str = part!("frame/collide/near.wgsl");
 const CUBOID: &str = part!("frame/collide/cuboid.wgsl");
+const WIND_PLACED: &str = part!("frame/wind/placed.wgsl");
 const CONTACT: &str = part!("frame/collide/contact.wgsl");
 const COLLIDE: &str = part!("frame/collide/collide.wgsl");
 const PHYSICS: &str = part!("frame/physics/physics.wgsl");
@@ -83,7 +84,7 @@ impl Shader {
     fn parts(self) -> Vec<&'static str> {
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
-        let update = [STATE, BAND, VIEW, LEVEL, WIND, PHYSICS, PAPER, TESTS, UPDATE];
+        let update = [STATE, BAND, VIEW, LEVEL, WIND, WIND_PLACED, PHYSICS, PAPER, TESTS, UPDATE];
         let rest: &[&str] = match self {
             Self::Collide => &[PRIMITIVE, COLLIDE],
             Self::Cull => &[BAND, VIEW, LEVEL, CULL],

@@ -15,6 +15,7 @@ const SHADER: &str = concat!(
     include_str!("../../src/frame/wind/wind.wgsl"),
     include_str!("../../src/frame/collide/primitive.wgsl"),
     include_str!("../../src/frame/collide/cuboid.wgsl"),
+    include_str!("../../src/frame/wind/placed.wgsl"),
     include_str!("../../src/frame/collide/contact.wgsl"),
     include_str!("../../src/frame/physics/physics.wgsl"),
     include_str!("../../src/frame/physics/paper.wgsl"),
