@@ -80,7 +80,7 @@ fn structs() -> Vec<Expected> {
             gust,
             arch,
             first_bucket,
-            reserved,
+            tint,
             form,
             area_scale,
             colors,
@@ -98,6 +98,8 @@ fn structs() -> Vec<Expected> {
             max_distance,
             flags,
             capacity,
+            level_height,
+            reserved,
         }),
         expected!(GpuBand {
             step,
