@@ -1,5 +1,6 @@
 //! From a scene file to a [`Scene`].
 
+mod colors;
 mod fields;
 mod inside;
 mod settings;
@@ -93,7 +94,8 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
     let spheres = views::spheres(file, &placed).map_err(|problem| context.error(problem))?;
     let wind = wind::sources(file, &placed).map_err(|problem| context.error(problem))?;
     let bodies = crate::bodies::groups(file, &placed).map_err(|problem| context.error(problem))?;
-    let descs = fields::descriptions(context, file)?;
+    let mut descs = fields::descriptions(context, file)?;
+    colors::set_maps(context, file, &placed, &hosts, &mut descs)?;
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
     let mut fields = Vec::with_capacity(descs.len());
     let described = file.fields.iter().zip(descs).zip(surfaces).enumerate();

@@ -55,6 +55,9 @@ pub struct Args {
     /// How blades are culled [default: the scene's]
     #[arg(long, value_enum)]
     culling: Option<CullingChoice>,
+    /// Draw every blade at one level of detail: 0 to 3 for 8, 4, 2 or 1 segments
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=3))]
+    level: Option<u8>,
     /// All blades at full detail, 64 samples a pixel, averaged in linear light; slow
     #[arg(long, conflicts_with_all = ["samples", "culling"])]
     reference: bool,
@@ -137,6 +140,7 @@ fn options(args: &Args, scene: &Scene, gpu: &Gpu) -> Result<StageOptions> {
     let samples = gpu.choose_samples(args.samples)?;
     let mut options = StageOptions::new(scene, args.camera.as_deref(), args.size.0, samples)?;
     options.reference = args.reference;
+    options.level = args.level;
     match args.physics {
         Some(Physics::Sward) => options.physics = PhysicsModel::Sward,
         Some(Physics::Paper) => options.physics = PhysicsModel::Paper,

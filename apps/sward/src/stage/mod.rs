@@ -51,6 +51,8 @@ pub struct StageOptions {
     pub haze: bool,
     /// Whether spheres push the blades.
     pub collisions: bool,
+    /// Level that every blade is drawn at, 0 to 3; none: by size.
+    pub level: Option<u8>,
 }
 
 impl StageOptions {
@@ -68,6 +70,7 @@ impl StageOptions {
             reference: false,
             haze: true,
             collisions: true,
+            level: None,
         })
     }
 }
@@ -365,6 +368,7 @@ fn view<'a>(
     let mut view = View::new(camera.view_from_world, camera.clip_from_view, options.size);
     view.opaque_depth = Some(opaque_depth);
     view.culling = options.culling;
+    view.level = options.level;
     if options.reference {
         view.culling = no_culling(options.culling);
         view.detail = f32::INFINITY;
