@@ -17,6 +17,7 @@ use crate::{Error, Field, Frame, PhysicsModel, Statistics, View};
 mod clock;
 mod inputs;
 mod layouts;
+mod saved;
 
 use clock::Clock;
 use inputs::Inputs;

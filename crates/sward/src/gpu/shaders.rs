@@ -59,7 +59,6 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    #[cfg(test)]
     pub const ALL: [Self; 8] = [
         Self::Collide,
         Self::Cull,
@@ -118,6 +117,12 @@ impl Shader {
             source: wgpu::ShaderSource::Wgsl(self.source().into()),
         })
     }
+}
+
+/// Stands for all source: what one release of the shaders saved, another does not go on from.
+pub fn fingerprint() -> u64 {
+    let of = |shader: &Shader| super::fingerprint::of(shader.source().as_bytes());
+    Shader::ALL.iter().map(of).fold(0, super::fingerprint::fold)
 }
 
 #[cfg(test)]
