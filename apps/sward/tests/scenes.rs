@@ -11,7 +11,8 @@ use std::path::Path;
 /// A picture of a shipped scene, from its first camera.
 fn looks(name: &str, arguments: &[&str]) {
     let scene = shipped().join(format!("{name}.ron"));
-    golden::golden(&format!("scenes/{name}"), &[&[scene.to_str().unwrap()], arguments].concat());
+    let arguments = [&[scene.to_str().unwrap()], arguments].concat();
+    golden::golden(&format!("scenes/{name}"), "256x144", &arguments);
 }
 
 macro_rules! scenes {
