@@ -91,7 +91,11 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
     let spheres = views::spheres(file, &placed).map_err(|problem| context.error(problem))?;
     let bodies = crate::bodies::groups(file, &placed).map_err(|problem| context.error(problem))?;
-    let descs = fields::descriptions(context, file)?;
+    let mut descs = fields::descriptions(context, file)?;
+    for (desc, host) in descs.iter_mut().zip(&hosts) {
+        let others = placed.iter().enumerate().filter(|(index, _)| index != host);
+        desc.obstacles = others.flat_map(|(_, other)| other.obstacles()).collect();
+    }
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
     let mut fields = Vec::with_capacity(descs.len());
     let described = file.fields.iter().zip(descs).zip(surfaces).enumerate();
@@ -132,7 +136,10 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
 fn place(context: &mut Context, file: &SceneFile) -> Result<(Vec<Placed>, Vec<usize>), SceneError> {
     let mut placed = Vec::new();
     for (index, object) in file.objects.iter().enumerate() {
-        let object = Placed::from_file(context, object, index, &placed)?;
+        let carries = |name: &str| {
+            file.fields.iter().any(|field| matches!(&field.on, Source::Object(on) if on == name))
+        };
+        let object = Placed::from_file(context, object, index, &placed, carries)?;
         if placed.iter().any(|other: &Placed| other.name == object.name) {
             let cause = format!("the name '{}' is taken by an object before it", object.name);
             return Err(context.error(Key::list("objects", index).at("name").problem(cause)));
@@ -206,6 +213,7 @@ fn finish(
                 area_m2: surface.area_m2(),
                 dropped_triangles: surface.dropped_triangles(),
                 texture: None,
+                collider: Vec::new(),
                 path: None,
             });
         }

@@ -4,6 +4,7 @@
 //! are relative to the scene file.
 
 mod bodies;
+mod collide;
 mod field;
 mod light;
 mod motion;
@@ -12,6 +13,7 @@ mod source;
 mod value;
 
 pub use bodies::{BodiesFile, BodyShapeFile};
+pub use collide::{CollideFile, PackedFile};
 pub use field::{
     DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile, SpeciesFile, TuftsFile,
 };
