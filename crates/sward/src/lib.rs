@@ -71,10 +71,10 @@
 //!
 //! # Units and spaces
 //! Metres, seconds, radians where a name does not say degrees (`_deg`). World space is right-handed;
-//! wind blows in its xz plane, heights and slopes are measured along y. Views look along -z, and clip
-//! z runs from 0 (near) to w (far). Colours and light are linear, with the primaries of sRGB; the
-//! picture needs tone mapping and encoding by the host. The strength of wind is relative: 0.4 is a
-//! breeze, 1.2 a strong gust, for turf and reed alike.
+//! heights and slopes are measured along y. Views look along -z, and clip z runs from 0 (near) to w
+//! (far). Colours and light are linear, with the primaries of sRGB; the picture needs tone mapping
+//! and encoding by the host. The strength of wind is relative: 0.4 is a breeze, 1.2 a strong gust,
+//! for turf and reed alike.
 
 pub mod collider;
 pub mod error;
@@ -96,7 +96,7 @@ mod pipeline_tests;
 pub use collider::{Collider, ColliderShape, Pose};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
-pub use frame::wind::{Gusts, Waves, Wind, WindSource};
+pub use frame::wind::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindSource};
 pub use grow::obstacles::Obstacle;
 pub use grow::surface::{Mesh, Surface};
 pub use renderer::{Renderer, Stage, Targets};

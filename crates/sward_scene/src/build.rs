@@ -4,6 +4,7 @@ mod fields;
 mod inside;
 mod settings;
 mod views;
+mod wind;
 
 use crate::check::{Key, Problem};
 use crate::error::{SceneError, one_line};
@@ -90,6 +91,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
     let cameras =
         views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
     let spheres = views::spheres(file, &placed).map_err(|problem| context.error(problem))?;
+    let wind = wind::sources(file, &placed).map_err(|problem| context.error(problem))?;
     let bodies = crate::bodies::groups(file, &placed).map_err(|problem| context.error(problem))?;
     let mut descs = fields::descriptions(context, file)?;
     for (desc, host) in descs.iter_mut().zip(&hosts) {
@@ -117,7 +119,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         objects,
         fields,
         cameras,
-        wind: checked.wind,
+        wind,
         spheres,
         bodies,
         light: checked.light,

@@ -28,6 +28,7 @@ mod motion;
 mod objects;
 pub mod schema;
 mod spheres;
+mod wind;
 
 pub use assets::TextureImage;
 pub use bodies::{Bodies, Body, BodyGroup, BodyShape};
@@ -37,6 +38,7 @@ pub use error::SceneError;
 pub use motion::{Path, PathKey};
 pub use objects::{ColliderPiece, Object};
 pub use spheres::MovingSphere;
+pub use wind::SceneWind;
 
 use glam::Vec3;
 use std::path::PathBuf;
@@ -55,7 +57,7 @@ pub struct Scene {
     /// Cameras; at least one, the first is the default.
     pub cameras: Vec<Camera>,
     /// Terms of the wind; none is still air.
-    pub wind: Vec<sward::WindSource>,
+    pub wind: Vec<SceneWind>,
     /// Spheres that push blades aside.
     pub spheres: Vec<MovingSphere>,
     /// Rigid bodies, by kind; [`Bodies`] moves them.
@@ -165,6 +167,11 @@ impl Scene {
             name: name.unwrap_or("default").into(),
             known: self.cameras.iter().map(|c| c.name.as_str()).collect::<Vec<_>>().join(", "),
         })
+    }
+
+    /// The terms of the wind at a time, as the library takes them.
+    pub fn wind_at(&self, time_s: f32) -> Vec<sward::WindSource> {
+        self.wind.iter().map(|wind| wind.at(time_s)).collect()
     }
 
     /// The spheres at a time, as the library takes them.

@@ -99,6 +99,21 @@ fn scene_values_out_of_range_name_their_key() {
         // What the library refuses is refused here, where the line is known.
         ("wind: [Waves(wavelength_m: 0.001)]", "wind[0].wavelength_m: 0.001"),
         ("wind: [Gusts(size_m: 20000)]", "wind[0].size_m: 20000"),
+        ("wind: [Cosine(direction: (0, 0))]", "wind[0].direction"),
+        ("wind: [Cosine(wavelength_m: 0)]", "wind[0].wavelength_m: 0"),
+        ("wind: [Rotor(radius_m: 0)]", "scene.ron:1:50: wind[0].radius_m: 0"),
+        ("wind: [Rotor(blades: 0)]", "wind[0].blades: 0"),
+        ("wind: [Rotor(strength: 21)]", "wind[0].strength: 21 is out of range"),
+        ("wind: [Rotor(at: (0, NaN, 0))]", "wind[0].at: NaN"),
+        ("wind: [Rotor(above: \"moon\")]", "wind[0].above: no object 'moon'"),
+        (
+            "wind: [Rotor(path: [(1, 0, 9, 0), (1, 1, 9, 0)])]",
+            "wind[0].path[1]: time 1 must be after",
+        ),
+        ("wind: [Vortex(range_m: -3)]", "wind[0].range_m: -3"),
+        ("wind: [Vortex(path: [])]", "wind[0].path: is empty"),
+        ("wind: [Fan(direction: (0, 0, 0))]", "wind[0].direction"),
+        ("wind: [Fan(half_angle_deg: 90)]", "wind[0].half_angle_deg: 90"),
         ("sun: (elevation_deg: 91)", "sun.elevation_deg: 91"),
         ("sky: (haze_m: 0)", "sky.haze_m: 0"),
         ("gravity: (direction: (0, 0, 0))", "gravity.direction"),
@@ -285,7 +300,8 @@ proptest! {
             include_str!("../../../scenes/minimal.ron"),
             "(fields: [(on: Plane(), species: [(height_m: (1, 2), root_color: (\"#aabbcc\", (1, 0, 1)))],
               tufts: (share: 0.5), height_limits_m: (-inf, 3.5))], cameras: [(eye: (0, 1, 2), target: (0, 0, 0))])",
-            "(fields: [(on: Sphere(segments: 8), count: 30)], wind: [Waves(), Gusts(seed: 3)],
+            "(fields: [(on: Sphere(segments: 8), count: 30)], wind: [Cosine(), Gusts(seed: 3),
+              Rotor(path: [(0, 1, 2, 3)]), Fan(direction: (0, -1, 1e-3)), Vortex()],
               spheres: [(path: [(0, 1, 2, 3), (2, 3, 4, 5)])], sun: (azimuth_deg: 1e3) /* end */)",
         ];
         let mut text = scenes[which].to_owned();

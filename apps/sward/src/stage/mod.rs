@@ -26,7 +26,7 @@ use movers::Movers;
 use opaque::Opaque;
 use passes::{Accumulator, Passes};
 use sward::{Culling, Field, Frame, Light, PhysicsModel, Renderer, Statistics, View, Wind};
-use sward_scene::{Camera, Scene};
+use sward_scene::{Camera, Scene, SceneWind};
 use targets::Targets;
 
 /// Renders a side that a reference adds up: 8 x 8 places inside a pixel, one sample each.
@@ -83,6 +83,7 @@ pub struct Stage {
     opaque: Opaque,
     passes: Passes,
     wind: Wind,
+    wind_paths: Vec<SceneWind>,
     light: Light,
     gravity: sward::Gravity,
     movers: Movers,
@@ -127,7 +128,8 @@ impl Stage {
             uniform,
             opaque,
             passes,
-            wind: Wind::new(scene.wind.clone())?,
+            wind: Wind::new(scene.wind_at(-scene.warm_up_s))?,
+            wind_paths: scene.wind.clone(),
             light,
             gravity: scene.gravity,
             movers,
@@ -220,8 +222,9 @@ impl Stage {
     /// Where wind or spheres are more than fit, or not finite.
     pub fn encode_simulate(&mut self, encoder: &mut wgpu::CommandEncoder, dt_s: f64) -> Result<()> {
         self.time_s += dt_s;
-        self.wind.advance(dt_s);
         let time_s = self.time_s as f32;
+        self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(time_s)).collect();
+        self.wind.advance(dt_s);
         self.movers.advance(self.time_s);
         if self.opaque.place(&self.gpu.queue, self.movers.placements(time_s)) {
             self.depth_is_opaque = false;

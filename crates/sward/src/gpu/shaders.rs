@@ -18,6 +18,7 @@ const DRAWS: &str = part!("shared/draws.wgsl");
 const DEPTH_SINGLE: &str = part!("shared/depth_single.wgsl");
 const DEPTH_MULTISAMPLED: &str = part!("shared/depth_multisampled.wgsl");
 const WIND: &str = part!("frame/wind/wind.wgsl");
+const WIND_PLACED: &str = part!("frame/wind/placed.wgsl");
 const CONTACT: &str = part!("frame/collide/contact.wgsl");
 const COLLIDE: &str = part!("frame/collide/collide.wgsl");
 const PHYSICS: &str = part!("frame/physics/physics.wgsl");
@@ -79,7 +80,8 @@ impl Shader {
 
     fn parts(self) -> Vec<&'static str> {
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
-        let update = [STATE, BAND, VIEW, LEVEL, WIND, CONTACT, PHYSICS, PAPER, TESTS, UPDATE];
+        let update =
+            [STATE, BAND, VIEW, LEVEL, WIND, WIND_PLACED, CONTACT, PHYSICS, PAPER, TESTS, UPDATE];
         let rest: &[&str] = match self {
             Self::Collide => &[COLLIDE],
             Self::Cull => &[BAND, VIEW, LEVEL, CULL],

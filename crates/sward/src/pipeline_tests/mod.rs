@@ -13,3 +13,4 @@ mod quantized;
 mod rig;
 mod scenes;
 mod views;
+mod wind;

@@ -30,20 +30,40 @@ struct GpuFrame {
 }
 
 struct GpuWindSource {
-    // 0 waves, 1 gusts
+    // 0 waves, 1 gusts, 2 cosine, 3 rotor, 4 vortex, 5 fan
     kind: u32,
     seed: u32,
-    // Unit direction in the xz plane
+    // Unit direction in the xz plane; fan: across its axis
     direction: vec2<f32>,
-    // waves: mean, amplitude; gusts: strength, turbulence
+    // Waves: mean, amplitude; gusts: strength, turbulence; others: strength
     strength: vec2<f32>,
-    // Waves: radians a metre; gusts: cells a metre
+    // Waves, cosine: radians a metre; others: cells of noise a metre
     frequency: f32,
-    // Waves: radians a second; gusts: metres a second
+    // Waves, cosine: radians a second; gusts, fan: metres a second; rotor, vortex: turns of their
+    // noise a second
     rate: f32,
-    // Waves: phase now, radians in 0..2 pi, and drift of their noise, cells; gusts: drift now, cells
+    // Waves: phase now, radians in 0..2 pi, and drift of their noise, cells; gusts, fan: drift now,
+    // cells; cosine: phase; rotor, vortex: phase of the spokes, turns of their noise
     phase: vec2<f32>,
-    reserved: vec2<f32>,
+    // Metres
+    radius: f32,
+    range: f32,
+    position: vec3<f32>,
+    // Of rotors, vortices, fans
+    turbulence: f32,
+    // Metres a second
+    velocity: vec3<f32>,
+    // Fan: how much wider the cone is a metre
+    spread: f32,
+    // Rotor, vortex: outward, around and upward as shares of the strength; fan: unit axis
+    flow: vec3<f32>,
+    // Rotor, vortex: metres that gusts are carried before they are drawn anew
+    carried: f32,
+    // Rotor: arms of its spiral, their radians a second and a metre outward, and how strong they are
+    spokes: u32,
+    spoke_rate: f32,
+    spoke_wind: f32,
+    pulse: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: GpuFrame;

@@ -12,6 +12,7 @@ const SHADER: &str = concat!(
     include_str!("../../src/shared/blade.wgsl"),
     include_str!("../../src/shared/curve.wgsl"),
     include_str!("../../src/frame/wind/wind.wgsl"),
+    include_str!("../../src/frame/wind/placed.wgsl"),
     include_str!("../../src/frame/collide/contact.wgsl"),
     include_str!("../../src/frame/physics/physics.wgsl"),
     include_str!("../../src/frame/physics/paper.wgsl"),

@@ -1,16 +1,12 @@
-//! Settings of the whole scene: light, sky, wind, gravity, culling.
+//! Settings of the whole scene: light, sky, gravity, culling.
 
 use crate::check::{Key, Problem};
-use crate::schema::{
-    CullingFile, GravityFile, GustsFile, PhysicsFile, SceneFile, SkyFile, SunFile, WavesFile,
-    WindFile,
-};
+use crate::schema::{CullingFile, GravityFile, PhysicsFile, SceneFile, SkyFile, SunFile};
 use crate::{GroundSettings, SkySettings, SunSettings};
-use glam::{Vec2, Vec3};
-use sward::{Culling, Gravity, Gusts, PhysicsModel, Waves, Wind, WindSource};
+use glam::Vec3;
+use sward::{Culling, Gravity, PhysicsModel};
 
 pub(super) struct Settings {
-    pub(super) wind: Vec<WindSource>,
     pub(super) light: SunSettings,
     pub(super) sky: SkySettings,
     pub(super) gravity: Gravity,
@@ -24,14 +20,7 @@ pub(super) struct Settings {
 impl Settings {
     pub(super) fn check(file: &SceneFile) -> Result<Self, Problem> {
         let ground = Key::name("ground");
-        let sources = file.wind.len();
-        if sources > Wind::MAX_SOURCES {
-            let cause = format!("{sources} sources: at most {} are taken", Wind::MAX_SOURCES);
-            return Err(Key::name("wind").problem(cause));
-        }
-        let wind = file.wind.iter().enumerate();
         Ok(Self {
-            wind: wind.map(|(i, source)| wind_source(source, i)).collect::<Result<_, _>>()?,
             light: sun(&file.sun)?,
             sky: sky(&file.sky)?,
             gravity: gravity(&file.gravity)?,
@@ -93,37 +82,5 @@ fn culling(culling: &CullingFile) -> Result<Culling, Problem> {
         occlusion: culling.occlusion,
         paper: culling.paper,
         max_distance_m: farthest.above_zero(culling.max_distance_m, f32::INFINITY)?,
-    })
-}
-
-/// Strongest wind, `beta`.
-const MAX_WIND: f32 = 20.0;
-
-fn wind_source(source: &WindFile, index: usize) -> Result<WindSource, Problem> {
-    let key = Key::list("wind", index);
-    match source {
-        WindFile::Waves(waves) => wave_source(waves, &key).map(WindSource::Waves),
-        WindFile::Gusts(gusts) => gust_source(gusts, &key).map(WindSource::Gusts),
-    }
-}
-
-fn wave_source(waves: &WavesFile, key: &Key) -> Result<Waves, Problem> {
-    Ok(Waves {
-        direction: Vec2::from(key.at("direction").direction(waves.direction)?),
-        mean: key.at("mean").within(waves.mean, 0.0, MAX_WIND)?,
-        amplitude: key.at("amplitude").within(waves.amplitude, 0.0, MAX_WIND)?,
-        wavelength_m: key.at("wavelength_m").within(waves.wavelength_m, 0.01, 10_000.0)?,
-        speed_mps: key.at("speed_mps").within(waves.speed_mps, -100.0, 100.0)?,
-    })
-}
-
-fn gust_source(gusts: &GustsFile, key: &Key) -> Result<Gusts, Problem> {
-    Ok(Gusts {
-        direction: Vec2::from(key.at("direction").direction(gusts.direction)?),
-        strength: key.at("strength").within(gusts.strength, 0.0, MAX_WIND)?,
-        size_m: key.at("size_m").within(gusts.size_m, 0.01, 10_000.0)?,
-        speed_mps: key.at("speed_mps").within(gusts.speed_mps, -100.0, 100.0)?,
-        turbulence: key.at("turbulence").within(gusts.turbulence, 0.0, 1.0)?,
-        seed: gusts.seed,
     })
 }

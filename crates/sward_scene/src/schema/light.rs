@@ -1,4 +1,4 @@
-//! Keys for light, wind, gravity and culling.
+//! Keys for light, gravity and culling.
 
 use super::Color;
 use serde::Deserialize;
@@ -141,76 +141,6 @@ impl Default for CullingFile {
             occlusion: true,
             paper: false,
             max_distance_m: f32::INFINITY,
-        }
-    }
-}
-
-/// One term of the wind. Strengths are `beta`: 0.4 is a breeze, 1.2 a strong gust; 0..=20.
-#[derive(Debug, Clone, Deserialize)]
-pub enum WindFile {
-    /// A steady breeze with travelling waves on it.
-    Waves(WavesFile),
-    /// Noise that drifts with the wind.
-    Gusts(GustsFile),
-}
-
-/// Travelling waves. Its defaults are those of [`sward::Waves`].
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct WavesFile {
-    /// Where the wind blows to, `(x, z)`, any length but 0; default `(1, 0)`.
-    pub direction: [f32; 2],
-    /// Steady strength; default 0.25.
-    pub mean: f32,
-    /// Strength of the waves; default 0.35. 0 is a steady wind.
-    pub amplitude: f32,
-    /// Distance between crests, 0.01..=10000; default 14.
-    pub wavelength_m: f32,
-    /// Speed of the crests, -100..=100; default 5.
-    pub speed_mps: f32,
-}
-
-impl Default for WavesFile {
-    fn default() -> Self {
-        let waves = sward::Waves::default();
-        Self {
-            direction: waves.direction.into(),
-            mean: waves.mean,
-            amplitude: waves.amplitude,
-            wavelength_m: waves.wavelength_m,
-            speed_mps: waves.speed_mps,
-        }
-    }
-}
-
-/// Gusts. Its defaults are those of [`sward::Gusts`].
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct GustsFile {
-    /// Where the gusts drift to, `(x, z)`, any length but 0; default `(1, 0)`.
-    pub direction: [f32; 2],
-    /// Peak strength; default 0.8.
-    pub strength: f32,
-    /// Size of a gust, 0.01..=10000; default 12.
-    pub size_m: f32,
-    /// Drift speed, -100..=100; default 5.
-    pub speed_mps: f32,
-    /// How much the direction veers inside a gust, 0..=1; default 0.3.
-    pub turbulence: f32,
-    /// Seed of the noise; default 1.
-    pub seed: u32,
-}
-
-impl Default for GustsFile {
-    fn default() -> Self {
-        let gusts = sward::Gusts::default();
-        Self {
-            direction: gusts.direction.into(),
-            strength: gusts.strength,
-            size_m: gusts.size_m,
-            speed_mps: gusts.speed_mps,
-            turbulence: gusts.turbulence,
-            seed: gusts.seed,
         }
     }
 }

@@ -11,16 +11,14 @@ mod motion;
 mod object;
 mod source;
 mod value;
+mod wind;
 
 pub use bodies::{BodiesFile, BodyShapeFile};
 pub use collide::{CollideFile, PackedFile};
 pub use field::{
     DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile, SpeciesFile, TuftsFile,
 };
-pub use light::{
-    CullingFile, GravityFile, GroundFile, GustsFile, PhysicsFile, SkyFile, SunFile, WavesFile,
-    WindFile,
-};
+pub use light::{CullingFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile};
 pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
 pub use source::{
@@ -28,6 +26,7 @@ pub use source::{
     TreeFile,
 };
 pub use value::{Color, Span};
+pub use wind::{CosineFile, FanFile, GustsFile, RotorFile, VortexFile, WavesFile, WindFile};
 
 use serde::Deserialize;
 

@@ -43,20 +43,40 @@ fn gust_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -
     return (source.direction * cos(veer) + across * sin(veer)) * strength;
 }
 
+// Wang and Yao's equation 4, with a phase by position.
+fn cosine_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec2<f32> {
+    let along = dot(position.xz, source.direction);
+    let turn = (source.phase.x - source.rate * seconds_ago - source.frequency * along) / TAU;
+    return source.direction * (source.strength.x * cos((turn - floor(turn)) * TAU));
+}
+
 // The wind at `position` (metres) as it was `seconds_ago`, in units of beta.
 fn wind_at(position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
-    var sum = vec2<f32>(0.0);
+    var level = vec2<f32>(0.0);
+    var sum = vec3<f32>(0.0);
     for (var i = 0u; i < frame.wind_count; i++) {
         let source = wind_sources[i];
-        if source.kind == 0u {
-            sum += wave_strength(source, position, seconds_ago);
-        } else {
-            sum += gust_strength(source, position, seconds_ago);
+        switch source.kind {
+            case 0u: {
+                level += wave_strength(source, position, seconds_ago);
+            }
+            case 1u: {
+                level += gust_strength(source, position, seconds_ago);
+            }
+            case 2u: {
+                level += cosine_strength(source, position, seconds_ago);
+            }
+            case 3u, 4u: {
+                sum += whirl_strength(source, from_source(source, position, seconds_ago), seconds_ago);
+            }
+            default: {
+                sum += fan_strength(source, from_source(source, position, seconds_ago), seconds_ago);
+            }
         }
     }
-    if !(is_finite(sum.x) && is_finite(sum.y)) {
+    sum += vec3<f32>(level.x, 0.0, level.y);
+    if !is_finite3(sum) {
         return vec3<f32>(0.0);
     }
-    let limited = clamp(sum, vec2<f32>(-WIND_LIMIT), vec2<f32>(WIND_LIMIT));
-    return vec3<f32>(limited.x, 0.0, limited.y);
+    return clamp(sum, vec3<f32>(-WIND_LIMIT), vec3<f32>(WIND_LIMIT));
 }
