@@ -203,7 +203,11 @@ impl<'a> Pieces<'a> {
             Kind::Capsule => {
                 let axis = Vec3::AXES[half.max_position()];
                 let radius = farthest(&|p| p - axis * p.dot(axis));
-                let end = axis * (half.max_element() - radius).max(0.0);
+                let end = mesh.positions.iter().map(|&p| {
+                    let (along, out) = ((p - center).dot(axis), (p - center).reject_from(axis));
+                    along.abs() - (radius * radius - out.length_squared()).max(0.0).sqrt()
+                });
+                let end = axis * end.fold(0.0, f32::max);
                 sound(radius, Shape::Capsule { from: -end, to: end, radius }, center)
             }
             Kind::Trunk(height_m) => {

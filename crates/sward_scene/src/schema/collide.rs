@@ -17,7 +17,7 @@ pub enum CollideFile {
     Box,
     /// The ball about its bounding box's middle that holds it.
     Sphere,
-    /// A capsule along its bounding box's longest side; a tree's trunk.
+    /// A capsule along its bounding box's longest side that holds it; of a tree, its trunk.
     Capsule,
     /// Spheres that fill its mesh.
     Packed(PackedFile),
