@@ -1,10 +1,11 @@
 //! A field: a surface, its species, density and seed, grown into blades and patches.
 
 use crate::error::{above_zero, within};
+use crate::gpu::quantize::unpack_color;
 use crate::grow::obstacles::Obstacle;
 use crate::grow::surface::Surface;
 use crate::grow::{self, Blade, Patch};
-use crate::{Error, Species};
+use crate::{ColorMap, Error, Species};
 use glam::Vec3;
 
 /// Tufts: blades seeded round Poisson-disk samples (Cline et al. 2009). The blades of a tuft are of
@@ -80,6 +81,11 @@ pub struct FieldDesc {
     pub tufts: Option<Tufts>,
     /// Map that thins the density.
     pub density_map: Option<DensityMap>,
+    /// Map that colours the blades, such as the surface's own texture; 4 bytes a blade. `None`: the
+    /// species' colours alone.
+    pub color_map: Option<ColorMap>,
+    /// How far the map replaces the species' colours, 0..=1; without a map it is not used.
+    pub color_mix: f32,
     /// Steepest slope that bears grass, degrees from level (0..=180); 180 sets no limit.
     pub max_slope_deg: f32,
     /// World heights (y) that bear grass, metres.
@@ -109,6 +115,8 @@ impl Default for FieldDesc {
             species: vec![Species::default()],
             tufts: None,
             density_map: None,
+            color_map: None,
+            color_mix: 0.9,
             max_slope_deg: 180.0,
             height_limits_m: (f32::NEG_INFINITY, f32::INFINITY),
             obstacles: Vec::new(),
@@ -126,6 +134,8 @@ impl Default for FieldDesc {
 pub struct Field {
     species: Vec<Species>,
     blades: Vec<Blade>,
+    tints: Vec<u32>,
+    tint_mix: f32,
     patches: Vec<Patch>,
     patch_size: u32,
     order: BladeOrder,
@@ -144,8 +154,14 @@ impl Field {
         desc.check()?;
         let roots = grow::scatter::roots(surface, desc)?;
         let blades = grow::blades::blades(&roots, desc);
+        let tinted = roots.iter().filter(|_| desc.color_map.is_some());
+        let tints: Vec<u32> = tinted.map(|root| root.tint).collect();
         drop(roots);
-        Ok(Self::arrange(desc.species.clone(), &blades, desc.patch_size, desc.metric, desc.order))
+        let species = desc.species.clone();
+        let mut field =
+            Self::arrange(species, &blades, &tints, desc.patch_size, desc.metric, desc.order);
+        field.tint_mix = desc.color_mix;
+        Ok(field)
     }
 
     /// A field of blades placed by hand. They are sorted into patches, so their order changes.
@@ -168,18 +184,20 @@ impl Field {
         for (i, blade) in blades.iter().enumerate() {
             blade.check(i, &species)?;
         }
-        Ok(Self::arrange(species, blades, patch_size, metric, order))
+        Ok(Self::arrange(species, blades, &[], patch_size, metric, order))
     }
 
     fn arrange(
         species: Vec<Species>,
         blades: &[Blade],
+        tints: &[u32],
         patch_size: u32,
         metric: Metric,
         order: BladeOrder,
     ) -> Self {
-        let (blades, patches) = grow::patches::arrange(blades, patch_size, metric, order);
-        Self { species, blades, patches, patch_size, order }
+        let (blades, tints, patches) =
+            grow::patches::arrange(blades, tints, patch_size, metric, order);
+        Self { species, blades, tints, tint_mix: 0.0, patches, patch_size, order }
     }
 
     /// The species of the mix.
@@ -189,6 +207,18 @@ impl Field {
     /// All blades, patch by patch.
     pub fn blades(&self) -> &[Blade] {
         &self.blades
+    }
+    /// The colour that a blade takes from the colour map, linear RGB; `None` without a map.
+    pub fn color(&self, blade: usize) -> Option<[f32; 3]> {
+        self.tints.get(blade).map(|bits| unpack_color(*bits))
+    }
+    /// Packed colours by blade; empty without a map.
+    pub(crate) fn tints(&self) -> &[u32] {
+        &self.tints
+    }
+    /// How far they replace the species' colours.
+    pub(crate) fn tint_mix(&self) -> f32 {
+        self.tint_mix
     }
     /// All patches.
     pub fn patches(&self) -> &[Patch] {
@@ -233,6 +263,10 @@ impl FieldDesc {
         if let Some(map) = &self.density_map {
             map.check()?;
         }
+        if let Some(map) = &self.color_map {
+            map.check()?;
+        }
+        within("color_mix", self.color_mix, 0.0, 1.0)?;
         within("max_slope_deg", self.max_slope_deg, 0.0, 180.0)?;
         let (low, high) = self.height_limits_m;
         if low.is_nan() || high.is_nan() || low > high {

@@ -77,6 +77,7 @@
 //! for turf and reed alike.
 
 pub mod collider;
+pub mod color_map;
 pub mod error;
 pub mod field;
 pub mod frame;
@@ -94,6 +95,7 @@ pub mod view;
 mod pipeline_tests;
 
 pub use collider::{Collider, ColliderShape, Pose};
+pub use color_map::{ColorImage, ColorMap};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
 pub use frame::wind::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindSource};

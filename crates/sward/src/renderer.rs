@@ -17,6 +17,7 @@ use crate::{Error, Field, Frame, PhysicsModel, Statistics, View};
 mod clock;
 mod inputs;
 mod layouts;
+mod saved;
 
 use clock::Clock;
 use inputs::Inputs;
@@ -148,6 +149,7 @@ impl Renderer {
             let range = first..(first + patches_a_page).min(patch_count);
             let ticks = self.clock.ticks();
             let page = Page::new(device, &self.layouts, field, &species, range, self.model, ticks);
+            self.draw.ensure(device, page.variant);
             self.pages.push(page);
         }
         self.totals.blades += count;

@@ -53,6 +53,10 @@ pub enum Shape {
         /// Share of the length, 0..1, where the taper begins: higher is blunter.
         tip: f32,
     },
+    /// The outline of a dandelion leaf, our own: a narrow stalk, lobes that grow towards the tip and
+    /// hang back towards the root, a blunt end. It is cut from the full width pixel by pixel, so
+    /// that the lobes stay at every level; a pixel costs a little more than one of another shape.
+    Dandelion,
 }
 
 /// One kind of plant.

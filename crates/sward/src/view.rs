@@ -47,6 +47,9 @@ pub struct View<'a> {
     pub culling: Culling,
     /// Detail: 1 is the default; higher keeps more segments and thins later; infinity keeps all.
     pub detail: f32,
+    /// Draws every blade at this level, 0 to 3: with 8, 4, 2 or 1 segments, without morphs; `None`
+    /// chooses by size. For pictures that compare levels; more segments cost more vertices.
+    pub level: Option<u8>,
     /// Keep blades at least a pixel wide (J equation 24); off for supersampled references.
     pub width_correction: bool,
     /// Most blades to list; `None` has room for all (4 bytes a blade of the field and view). What
@@ -65,6 +68,7 @@ impl View<'_> {
             opaque_depth: None,
             culling: Culling::default(),
             detail: 1.0,
+            level: None,
             width_correction: true,
             max_blades: None,
         }

@@ -1,5 +1,6 @@
 //! From a scene file to a [`Scene`].
 
+mod colors;
 mod fields;
 mod inside;
 mod settings;
@@ -98,6 +99,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         let others = placed.iter().enumerate().filter(|(index, _)| index != host);
         desc.obstacles = others.flat_map(|(_, other)| other.obstacles()).collect();
     }
+    colors::set_maps(context, file, &placed, &hosts, &mut descs)?;
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
     let mut fields = Vec::with_capacity(descs.len());
     let described = file.fields.iter().zip(descs).zip(surfaces).enumerate();

@@ -79,6 +79,13 @@ fn values_out_of_range_name_line_and_key() {
             "species[0].root_color: 2 is out of range",
         ),
         ("tufts: (share: 1.5)", "fields[0].tufts.share: 1.5 is out of range: it must be 0 to 1"),
+        ("color_mix: 2", "scene.ron:4:16: fields[0].color_mix: 2 is out of range"),
+        ("color: Surface", "fields[0].color: object 'ground of field 0' has no colour"),
+        ("color: Fur", "unknown kind 'Fur'; known here: Texture, Surface, VertexColor"),
+        (
+            "color: Texture(\"a.png\"), inside: (center: (0, 0), radius_m: 1)",
+            "fields[0].color: `inside` maps its part anew",
+        ),
         ("patch_size: 100", "fields[0].patch_size: 100 is no multiple of 64"),
         ("max_slope_deg: 200", "fields[0].max_slope_deg: 200"),
         ("inside: (center: (900, 0), radius_m: 1)", "fields[0].inside: nothing of the object"),

@@ -54,6 +54,36 @@ fn the_reference_is_the_authors_field() {
 }
 
 #[test]
+fn the_five_shapes_stand_side_by_side() {
+    let scene = scene("shapes.ron");
+    let shapes: Vec<_> =
+        scene.fields.iter().map(|f| (f.desc.species[0].shape, f.desc.count)).collect();
+    let tip = sward::Shape::TriangleTip { tip: 0.5 };
+    use sward::Shape::{Dandelion, Quad, Quadratic, Triangle};
+    assert_eq!(shapes, [Quad, Triangle, Quadratic, tip, Dandelion].map(|shape| (shape, Some(1))));
+    for field in &scene.fields {
+        let grown = sward::Field::grow(&field.surface, &field.desc).expect("a blade");
+        let facing = grown.blades()[0].facing.to_degrees();
+        assert!((facing - 90.0).abs() < 1.0, "{}: faces the camera, not {facing}", field.name);
+    }
+}
+
+/// A field takes the colour of the object's own texture: base colour times texel.
+#[test]
+fn blades_take_an_objects_own_colours() {
+    let text =
+        "(objects: [(name: \"ball\", source: Sphere(radius_m: 1), base_color: (0.5, 0.25, 0))],
+        fields: [(on: Object(\"ball\"), color: Surface, density: 50)])";
+    let scene = sward_scene::parse(text, Path::new("s.ron")).expect("a scene");
+    let field = &scene.fields[0];
+    let grown = sward::Field::grow(&field.surface, &field.desc).expect("blades");
+    for i in 0..grown.blades().len() {
+        let [r, g, b] = grown.color(i).expect("a colour");
+        assert!((r - 0.5).abs() < 2e-3 && (g - 0.25).abs() < 2e-3 && b == 0.0);
+    }
+}
+
+#[test]
 fn balls_roll_on_the_hills() {
     let scene = scene("nature.ron");
     assert_eq!(scene.spheres.len(), 2);

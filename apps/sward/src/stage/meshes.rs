@@ -140,7 +140,7 @@ pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
     let mut grass = NO_GRASS;
     if object.carries_grass {
         let [r, g, b] = mean_grass_color(scene, index);
-        grass = [r, g, b, scene.ground.grass_tint];
+        grass = [r, g, b, scene.ground.grass_tint * (1.0 - surface_share(scene, index))];
     }
     GpuPlacement {
         position: Vec3::ZERO,
@@ -151,6 +151,12 @@ pub(super) fn object_placement(scene: &Scene, index: usize) -> GpuPlacement {
         roughness: object.roughness,
         grass,
     }
+}
+
+/// How far the grass on an object has the object's own colours, which its ground so shows.
+fn surface_share(scene: &Scene, object: usize) -> f32 {
+    let fields = scene.fields.iter().filter(|f| f.object == object && f.desc.color_map.is_some());
+    fields.map(|f| f.desc.color_mix).fold(0.0, f32::max)
 }
 
 /// How bright a canopy is beside a flat ground of its colour: blades shade each other.

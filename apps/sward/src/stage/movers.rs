@@ -166,3 +166,17 @@ fn body_placement(group: &BodyGroup, body: &Body) -> GpuPlacement {
     let looks = ball_looks(group.color(body.number), stripes, group.roughness, scale);
     placed(looks, body.pose.unwrap_or_default())
 }
+
+impl super::Stage {
+    /// Spheres, capsules and boxes that push the blades at this time; 0 where collisions are off.
+    pub fn collider_parts(&self) -> u64 {
+        let parts = |collider: &Collider| match collider.shape {
+            ColliderShape::Spheres(spheres) => spheres.len() as u64,
+            _ => 1,
+        };
+        match self.options.collisions {
+            true => self.movers.colliders(self.time_s as f32, 0.0).iter().map(parts).sum(),
+            false => 0,
+        }
+    }
+}

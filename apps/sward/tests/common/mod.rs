@@ -3,6 +3,8 @@
 // Each test file is a crate of its own and uses only a part of this.
 #![allow(dead_code)]
 
+pub mod golden;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -60,6 +62,11 @@ impl Drop for Folder {
 pub fn scene(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenes");
     folder.join(name).to_str().unwrap().into()
+}
+
+/// The folder of the scenes that the project ships.
+pub fn shipped() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")
 }
 
 pub fn stderr(output: &Output) -> String {

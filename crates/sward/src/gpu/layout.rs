@@ -14,6 +14,10 @@
 //! over 0..2, rounded up or down by turns so that the error of many small steps does not add up).
 //! `PhysicsModel::Paper` keeps a length as well: 17 + 17 + 14 + 16.
 //!
+//! # Its colour, in a field that takes its surface's
+//! 4 bytes more: 10 bits a channel, square root encoded, of the surface at the root. Fields without
+//! a colour map have no such bytes: their static and dynamic data and lists stay below 32.
+//!
 //! # What else grows with the blades
 //! Per blade 4 bytes of draw list and 2 of decisions; per 64 blades 48 bytes of clocks, counts and
 //! offsets; per patch its box (48), its near spheres (128) and work entry (8).
@@ -93,7 +97,7 @@ pub struct GpuSpecies {
     pub gust: f32,
     pub arch: f32,
     pub first_bucket: u32,
-    pub reserved: u32,
+    pub tint: f32,
     pub form: [f32; 4],
     pub area_scale: [f32; 4],
     pub colors: [u32; 4],
@@ -115,6 +119,8 @@ pub struct GpuView {
     pub max_distance: f32,
     pub flags: u32,
     pub capacity: u32,
+    pub level_height: [f32; 2],
+    pub reserved: [f32; 2],
 }
 
 /// `GpuBand` of band.wgsl.

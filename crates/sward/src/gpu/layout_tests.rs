@@ -74,7 +74,7 @@ fn structs() -> Vec<Expected> {
             gust,
             arch,
             first_bucket,
-            reserved,
+            tint,
             form,
             area_scale,
             colors,
@@ -92,6 +92,8 @@ fn structs() -> Vec<Expected> {
             max_distance,
             flags,
             capacity,
+            level_height,
+            reserved,
         }),
         expected!(GpuBand {
             step,

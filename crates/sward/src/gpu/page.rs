@@ -2,14 +2,16 @@
 
 use super::bindings;
 use super::buffers::{filled, storage, uniform, write};
+use super::fingerprint;
 use super::layout::{
     BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuPatch, GpuSpecies, GpuView,
     MAX_SPECIES, NEAR_STRIDE, TICKS_PER_SECOND,
 };
 use super::quantize::{gpu_patch, pack_blade};
 use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
+use crate::frame::draw::pipelines::Variant;
 use crate::renderer::Layouts;
-use crate::{Field, PhysicsModel, Species};
+use crate::{Field, PhysicsModel, Shape, Species};
 use bytemuck::Zeroable;
 use rayon::prelude::*;
 use wgpu::BufferUsages;
@@ -54,8 +56,15 @@ pub struct ViewLists {
 pub struct Page {
     /// Counts.
     pub field: GpuField,
+    /// Of everything that does not change.
+    pub fingerprint: u64,
     /// Whether a species has a pointed, or a flat tip.
     pub topologies: [bool; 2],
+    /// Which pipelines draw it.
+    pub variant: Variant,
+    /// A colour a blade, or one word; for tests.
+    #[cfg(test)]
+    pub tints: wgpu::Buffer,
     /// Packed dynamic states.
     pub dynamics: wgpu::Buffer,
     /// `GpuBand` by 64 blades.
@@ -101,7 +110,21 @@ fn first_bands(count: usize, ticks: u32) -> Vec<GpuBand> {
 struct Packed {
     field: GpuField,
     blades: Vec<[u32; 4]>,
+    /// A colour a blade; one that is never read where the field has none.
+    tints: Vec<u32>,
     patches: Vec<GpuPatch>,
+}
+
+impl Packed {
+    fn fingerprint(&self, species: &[GpuSpecies]) -> u64 {
+        let parts: [&[u8]; 4] = [
+            bytemuck::bytes_of(&self.field),
+            bytemuck::cast_slice(&self.blades),
+            bytemuck::cast_slice(&self.patches),
+            bytemuck::cast_slice(species),
+        ];
+        parts.into_iter().map(fingerprint::of).fold(0, fingerprint::fold)
+    }
 }
 
 /// Packs a run of patches.
@@ -124,8 +147,21 @@ fn pack(field: &Field, first_patch: usize, patch_count: usize) -> Packed {
             first_id: patches.first().map_or(0, |p| p.first),
         },
         patches: patches.iter().map(|p| gpu_patch(p, field.blades())).collect(),
+        tints: tints(field, patches),
         blades,
     }
+}
+
+fn tints(field: &Field, patches: &[crate::grow::Patch]) -> Vec<u32> {
+    let own = |patch: &crate::grow::Patch| {
+        let run = patch.first as usize..(patch.first + patch.count) as usize;
+        field.tints().get(run).unwrap_or_default().to_vec()
+    };
+    let mut tints: Vec<u32> = patches.iter().flat_map(own).collect();
+    if tints.is_empty() {
+        tints.push(0);
+    }
+    tints
 }
 
 impl Page {
@@ -145,10 +181,12 @@ impl Page {
         let block_count = band_count.div_ceil(u64::from(BLOCK));
         let data = |label, content: &[u8], usage| filled(device, label, content, usage);
         let store = |label, bytes| storage(device, label, bytes, BufferUsages::empty());
+        let fingerprint = packed.fingerprint(species);
         let field_uniform = data("sward.field", bytemuck::bytes_of(&counts), BufferUsages::UNIFORM);
         let species = data("sward.species", bytemuck::cast_slice(species), BufferUsages::UNIFORM);
         let blades =
             data("sward.blades", bytemuck::cast_slice(&packed.blades), BufferUsages::STORAGE);
+        let tints = data("sward.tints", bytemuck::cast_slice(&packed.tints), BufferUsages::STORAGE);
         let patches =
             data("sward.patches", bytemuck::cast_slice(&packed.patches), BufferUsages::STORAGE);
         let states = vec![upright_state(model); packed.blades.len()];
@@ -164,11 +202,17 @@ impl Page {
         let decisions = store("sward.decisions", band_count * u64::from(BAND) * 2);
         let blocks = store("sward.blocks", block_count * size_of::<GpuBlock>() as u64);
         let shared = [&field_uniform, &species, &blades, &patches];
-        let drawn = [&field_uniform, &species, &blades, &patches, &dynamics];
-        let sized = [&blades, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
+        let drawn = [&field_uniform, &species, &blades, &patches, &dynamics, &tints];
+        let sized =
+            [&blades, &tints, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
         Self {
             field: counts,
+            fingerprint,
             topologies: topologies(field.species()),
+            variant: Variant {
+                lobed: field.species().iter().any(|s| s.shape == Shape::Dandelion),
+                tinted: !field.tints().is_empty(),
+            },
             group: bindings::buffers(device, "sward.field", &layouts.field, &shared),
             draw_group: bindings::buffers(device, "sward.draw_field", &layouts.draw_field, &drawn),
             collide: bindings::buffers(
@@ -179,6 +223,8 @@ impl Page {
             ),
             views: Vec::new(),
             bytes: sized.iter().map(|b| b.size()).sum(),
+            #[cfg(test)]
+            tints,
             dynamics,
             bands,
             near,
@@ -203,6 +249,12 @@ impl Page {
     /// Blocks of the scan.
     pub fn block_count(&self) -> u32 {
         (self.field.patch_count * (self.field.patch_size / BAND)).div_ceil(BLOCK)
+    }
+
+    /// The buffers that carry a simulation from one step to the next; all others are made anew in
+    /// each.
+    pub fn state(&self) -> [&wgpu::Buffer; 2] {
+        [&self.dynamics, &self.bands]
     }
 
     /// Bytes of everything that grows with the blades, without the draw lists.

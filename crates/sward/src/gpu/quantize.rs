@@ -128,7 +128,8 @@ pub fn gpu_patch(patch: &Patch, blades: &[Blade]) -> GpuPatch {
 /// Share of the width left at `v` (J equation 22): the twin of `outline` in outline.wgsl.
 pub fn outline(shape: Shape, v: f32) -> f32 {
     match shape {
-        Shape::Quad => 1.0,
+        // A dandelion's pixels are cut from the full width
+        Shape::Quad | Shape::Dandelion => 1.0,
         Shape::Triangle => 1.0 - v,
         Shape::Quadratic => 1.0 - v * v,
         Shape::TriangleTip { tip } => 1.0 - (v - tip).max(0.0) / (1.0 - tip),
@@ -179,13 +180,16 @@ fn root_openness(leaf_area_index: f32) -> f32 {
 /// The species table of a field.
 pub fn species_table(field: &Field) -> Vec<GpuSpecies> {
     let leaf_area = leaf_area_index(field.blades(), field.patches());
-    let mut table: Vec<_> = field.species().iter().map(|s| gpu_species(s, leaf_area)).collect();
+    let tint = field.tint_mix();
+    let entry = |species| gpu_species(species, leaf_area, tint);
+    let mut table: Vec<_> = field.species().iter().map(entry).collect();
     table.resize(MAX_SPECIES, GpuSpecies::zeroed());
     table
 }
 
-/// A species' table entry, in a field of that leaf area index.
-fn gpu_species(species: &Species, leaf_area_index: f32) -> GpuSpecies {
+/// A species' table entry, in a field of that leaf area index, which takes so much of its surface's
+/// colour.
+fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies {
     let range = |r: Range| [r.min, r.max - r.min];
     let full = outline_area(species.shape, 256);
     let (shape, tip) = match species.shape {
@@ -193,6 +197,7 @@ fn gpu_species(species: &Species, leaf_area_index: f32) -> GpuSpecies {
         Shape::Triangle => (1.0, 0.5),
         Shape::Quadratic => (2.0, 0.5),
         Shape::TriangleTip { tip } => (3.0, tip),
+        Shape::Dandelion => (4.0, 0.5),
     };
     let (root, top) = (species.root_color, species.tip_color);
     GpuSpecies {
@@ -203,7 +208,7 @@ fn gpu_species(species: &Species, leaf_area_index: f32) -> GpuSpecies {
         gust: species.gust,
         arch: species.arch,
         first_bucket: if has_flat_tip(species) { 4 } else { 0 },
-        reserved: 0,
+        tint,
         form: [species.ridge, tip, root_openness(leaf_area_index), shape],
         area_scale: std::array::from_fn(|level| {
             let lost = if level <= 1 { 1.0 } else { folded_width(species.ridge) };
@@ -214,14 +219,22 @@ fn gpu_species(species: &Species, leaf_area_index: f32) -> GpuSpecies {
 }
 
 /// 10 bits a channel, square root encoded: finer in the dark.
-fn pack_color(color: [f32; 3]) -> u32 {
+pub fn pack_color(color: [f32; 3]) -> u32 {
     let channel = |x: f32| (x.clamp(0.0, 1.0).sqrt() * 1023.0).round() as u32;
     channel(color[0]) | channel(color[1]) << 10 | channel(color[2]) << 20
 }
 
-/// Whether the outline ends in an edge rather than a point.
+/// What [`pack_color`] keeps: the twin of `unpack_color` in blade_point.wgsl.
+pub fn unpack_color(bits: u32) -> [f32; 3] {
+    [0, 10, 20].map(|shift| {
+        let channel = (bits >> shift & 0x3ff) as f32 / 1023.0;
+        channel * channel
+    })
+}
+
+/// Whether the outline is drawn on a strip that ends in an edge rather than a point.
 pub fn has_flat_tip(species: &Species) -> bool {
-    species.shape == Shape::Quad
+    matches!(species.shape, Shape::Quad | Shape::Dandelion)
 }
 
 #[cfg(test)]

@@ -31,6 +31,8 @@ const SCAN: &str = part!("frame/compact/scan.wgsl");
 const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
 const OUTLINE: &str = part!("frame/draw/outline.wgsl");
+const LOBES: &str = part!("frame/draw/lobes.wgsl");
+const LOBED: &str = part!("frame/draw/lobed.wgsl");
 const BLADE_POINT: &str = part!("frame/draw/blade_point.wgsl");
 const DRAW: &str = part!("frame/draw/draw.wgsl");
 
@@ -51,12 +53,13 @@ pub enum Shader {
     Compact,
     /// Blades.
     Draw,
+    /// Blades with lobes.
+    DrawLobed,
 }
 
 impl Shader {
     /// Every module.
-    #[cfg(test)]
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -64,6 +67,7 @@ impl Shader {
         Self::Scan,
         Self::Compact,
         Self::Draw,
+        Self::DrawLobed,
     ];
 
     /// Label in debuggers: `sward.` and the stage's stem.
@@ -74,7 +78,7 @@ impl Shader {
             Self::Update | Self::UpdateMultisampled => "sward.update",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
-            Self::Draw => "sward.draw",
+            Self::Draw | Self::DrawLobed => "sward.draw",
         }
     }
 
@@ -82,6 +86,8 @@ impl Shader {
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
         let update =
             [STATE, BAND, VIEW, LEVEL, WIND, WIND_PLACED, CONTACT, PHYSICS, PAPER, TESTS, UPDATE];
+        let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW];
+        let lobed = [&draw[..], &[LOBES, LOBED]].concat();
         let rest: &[&str] = match self {
             Self::Collide => &[COLLIDE],
             Self::Cull => &[BAND, VIEW, LEVEL, CULL],
@@ -89,7 +95,8 @@ impl Shader {
             Self::UpdateMultisampled => &[DEPTH_MULTISAMPLED],
             Self::Scan => &[BAND, DRAWS, VIEW, SCAN],
             Self::Compact => &[BAND, VIEW, COMPACT],
-            Self::Draw => &[STATE, DRAWS, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW],
+            Self::Draw => &draw,
+            Self::DrawLobed => &lobed,
         };
         let mut parts = [&field[..], rest].concat();
         if matches!(self, Self::Update | Self::UpdateMultisampled) {
@@ -110,6 +117,12 @@ impl Shader {
             source: wgpu::ShaderSource::Wgsl(self.source().into()),
         })
     }
+}
+
+/// Stands for all source: what one release of the shaders saved, another does not go on from.
+pub fn fingerprint() -> u64 {
+    let of = |shader: &Shader| super::fingerprint::of(shader.source().as_bytes());
+    Shader::ALL.iter().map(of).fold(0, super::fingerprint::fold)
 }
 
 #[cfg(test)]

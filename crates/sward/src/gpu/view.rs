@@ -1,6 +1,8 @@
 //! A view's uniform: matrices, frustum planes, projected sizes, flags.
 
 use super::layout::GpuView;
+use crate::frame::level::FULL_DETAIL_PX;
+use crate::gpu::quantize::SEGMENTS;
 use crate::{Error, View};
 use glam::{Mat4, Vec3, Vec4};
 
@@ -82,7 +84,19 @@ pub fn check_view(view: &View) -> Result<(), Error> {
     if !above_zero(view.detail) || !above_zero(view.culling.max_distance_m) {
         return Err(Error::setting("view", "detail and max_distance_m must be above 0"));
     }
+    if let Some(level) = view.level
+        && usize::from(level) >= SEGMENTS.len()
+    {
+        let cause = format!("{level} is out of range; use 0 to 3");
+        return Err(Error::setting("view.level", cause));
+    }
     Ok(())
+}
+
+/// Heights that levels are chosen within: any, or one amid the forced level, where nothing morphs.
+fn level_height(level: Option<u8>) -> [f32; 2] {
+    let Some(level) = level else { return [0.0, f32::MAX] };
+    [FULL_DETAIL_PX * 0.25_f32.powf(f32::from(level) + 0.35); 2]
 }
 
 /// The uniform of a view that [`check_view`] let pass.
@@ -109,5 +123,7 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
         max_distance: view.culling.max_distance_m.min(1e30),
         flags: flags(view),
         capacity,
+        level_height: level_height(view.level),
+        reserved: [0.0; 2],
     }
 }

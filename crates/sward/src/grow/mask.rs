@@ -2,6 +2,7 @@
 
 use super::obstacles::Obstacles;
 use super::surface::{Spot, Surface};
+use super::texels::bilinear;
 use crate::{DensityMap, Error, FieldDesc};
 use glam::{Vec2, Vec4};
 
@@ -61,41 +62,8 @@ impl<'a> Mask<'a> {
             }
             Some(DensityMap::Texture { width, height, values }) => {
                 let uv: Vec2 = self.surface.interpolate(spot.triangle, spot.weights, &mesh.uvs);
-                bilinear(*width, *height, values, uv)
+                bilinear(*width, *height, uv, |i| values[i])
             }
         }
-    }
-}
-
-/// Samples a map, wrapping; texel (0, 0) is centred at half a texel.
-fn bilinear(width: u32, height: u32, values: &[f32], uv: Vec2) -> f32 {
-    let size = Vec2::new(width as f32, height as f32);
-    // Rounding can make the fraction 1; the wrap below takes that as 0.
-    let at = (uv - uv.floor()) * size - 0.5;
-    let base = at.floor();
-    let t = at - base;
-    let texel = |dx: i64, dy: i64| {
-        let x = (base.x as i64 + dx).rem_euclid(i64::from(width));
-        let y = (base.y as i64 + dy).rem_euclid(i64::from(height));
-        values[(y * i64::from(width) + x) as usize]
-    };
-    let row = |dy| texel(0, dy) * (1.0 - t.x) + texel(1, dy) * t.x;
-    row(0) * (1.0 - t.y) + row(1) * t.y
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn maps_wrap_and_blend() {
-        let values = [0.0, 1.0, 0.5, 0.25];
-        let at = |u, v| bilinear(2, 2, &values, Vec2::new(u, v));
-        assert_eq!(at(0.25, 0.25), 0.0);
-        assert_eq!(at(0.75, 0.25), 1.0);
-        assert_eq!(at(0.25, 0.75), 0.5);
-        assert_eq!(at(-0.25, 1.25), 1.0);
-        assert_eq!(at(0.5, 0.25), 0.5);
-        assert_eq!(at(0.0, 0.25), 0.5, "wraps between the last and the first texel");
     }
 }

@@ -13,6 +13,8 @@ pub(crate) mod scatter;
 pub mod shapes;
 pub mod surface;
 pub mod terrain;
+mod texels;
+mod tint;
 pub(crate) mod tufts;
 mod walk;
 pub(crate) mod weld;

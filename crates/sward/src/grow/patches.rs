@@ -32,13 +32,15 @@ impl Key {
     }
 }
 
-/// Groups blades into patches and sorts them by patch, then by the order inside.
+/// Groups blades into patches and sorts them by patch, then by the order inside; with each its tint,
+/// where there are tints.
 pub(crate) fn arrange(
     blades: &[Blade],
+    tints: &[u32],
     patch_size: u32,
     metric: Metric,
     order: BladeOrder,
-) -> (Vec<Blade>, Vec<Patch>) {
+) -> (Vec<Blade>, Vec<u32>, Vec<Patch>) {
     let size = patch_size as usize;
     let mut keys: Vec<Key> = (blades.par_iter().with_min_len(4096).enumerate())
         .map(|(i, blade)| Key { position: blade.root, index: i as u32 })
@@ -49,10 +51,12 @@ pub(crate) fn arrange(
         .for_each_init(Vec::new, |scratch, (i, chunk)| order::sort(chunk, order, i, scratch));
     let sorted: Vec<Blade> =
         keys.par_iter().with_min_len(4096).map(|key| blades[key.index as usize]).collect();
+    let own_tint = |key: &Key| tints.get(key.index as usize).copied();
+    let tints = keys.iter().filter_map(own_tint).collect();
     let patches = (sorted.par_chunks(size).enumerate())
         .map(|(i, chunk)| bound(chunk, i as u32 * patch_size))
         .collect();
-    (sorted, patches)
+    (sorted, tints, patches)
 }
 
 fn bisect(keys: &mut [Key], size: usize, metric: Metric) {

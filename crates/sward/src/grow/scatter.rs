@@ -9,6 +9,7 @@ use super::fragment::Fragment;
 use super::mask::Mask;
 use super::random::{Purpose, Stream};
 use super::surface::{Spot, Surface};
+use super::tint::Tint;
 use super::tufts;
 use crate::{Error, FieldDesc};
 use glam::Vec3;
@@ -30,6 +31,8 @@ pub(crate) struct Root {
     pub(crate) key: u32,
     /// The tuft, if any.
     pub(crate) tuft: Option<u32>,
+    /// Colour of the surface, packed; 0 where the field takes none.
+    pub(crate) tint: u32,
 }
 
 /// Scatters all roots of a field. The description has been checked.
@@ -38,12 +41,13 @@ pub(crate) struct Root {
 /// Where the density asks for too many blades or none, or the mask removes all.
 pub(crate) fn roots(surface: &Surface, desc: &FieldDesc) -> Result<Vec<Root>, Error> {
     let mask = Mask::new(surface, desc)?;
+    let tint = Tint::new(surface, desc)?;
     let count = blade_count(surface, desc)?;
     let share = desc.tufts.map_or(0.0, |t| f64::from(t.share));
     let in_tufts = (count as f64 * share).round() as u64;
     let (mut roots, tuft_roots) = rayon::join(
-        || singles(surface, count - in_tufts, desc.seed, &mask),
-        || tufts::roots(surface, in_tufts, desc, &mask),
+        || singles(surface, count - in_tufts, desc.seed, &mask, &tint),
+        || tufts::roots(surface, in_tufts, desc, &mask, &tint),
     );
     roots.extend(tuft_roots);
     if roots.is_empty() {
@@ -90,7 +94,7 @@ fn blade_count(surface: &Surface, desc: &FieldDesc) -> Result<u64, Error> {
     Ok(wanted)
 }
 
-fn singles(surface: &Surface, count: u64, seed: u64, mask: &Mask) -> Vec<Root> {
+fn singles(surface: &Surface, count: u64, seed: u64, mask: &Mask, tint: &Tint) -> Vec<Root> {
     let stream = Stream::new(seed, Purpose::Single);
     let step_m2 = surface.area_m2() / count.max(1) as f64;
     (0..count.div_ceil(CHUNK))
@@ -111,16 +115,17 @@ fn singles(surface: &Surface, count: u64, seed: u64, mask: &Mask) -> Vec<Root> {
                 let t = ((at_m2 - start_m2) / own_m2).clamp(0.0, 1.0 - f64::EPSILON);
                 let fragment = Fragment::at(t, levels(own_m2 / step_m2));
                 let spot = surface.spot(triangle as u32, fragment.point(&mut draws));
-                mask.keeps(&spot, draws.unit()).then(|| Root::new(spot, i as u32))
+                mask.keeps(&spot, draws.unit()).then(|| Root::new(spot, i as u32, tint))
             })
         })
         .collect()
 }
 
 impl Root {
-    fn new(spot: Spot, key: u32) -> Self {
+    fn new(spot: Spot, key: u32, tint: &Tint) -> Self {
+        let tint = tint.at(&spot);
         let (position, normal) = (spot.position, spot.normal);
-        Self { position, normal, lean: Vec3::ZERO, key, tuft: None }
+        Self { position, normal, lean: Vec3::ZERO, key, tuft: None, tint }
     }
 }
 

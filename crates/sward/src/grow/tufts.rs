@@ -5,6 +5,7 @@ use super::mask::Mask;
 use super::random::{Draws, Purpose, Stream};
 use super::scatter::Root;
 use super::surface::{Spot, Surface};
+use super::tint::Tint;
 use super::walk::{self, End};
 use super::weld::Adjacency;
 use crate::FieldDesc;
@@ -19,7 +20,13 @@ const PACKING: f64 = 0.7;
 const TURN: f32 = 0.381_966 * TAU;
 
 /// Roots of all blades that grow in tufts, `count` before thinning.
-pub(crate) fn roots(surface: &Surface, count: u64, desc: &FieldDesc, mask: &Mask) -> Vec<Root> {
+pub(crate) fn roots(
+    surface: &Surface,
+    count: u64,
+    desc: &FieldDesc,
+    mask: &Mask,
+    tint: &Tint,
+) -> Vec<Root> {
     let Some(tufts) = desc.tufts.filter(|_| count > 0) else {
         return Vec::new();
     };
@@ -52,6 +59,7 @@ pub(crate) fn roots(surface: &Surface, count: u64, desc: &FieldDesc, mask: &Mask
                     lean,
                     key: key as u32,
                     tuft: Some(i as u32),
+                    tint: tint.at(&end.spot),
                 })
             })
         })

@@ -8,7 +8,7 @@ use crate::{Collider, Error, Frame, Renderer, Sphere, Targets};
 use glam::Vec3;
 
 /// A device whose storage bindings hold few blades.
-fn small(bytes: u64) -> Gpu {
+pub(super) fn small(bytes: u64) -> Gpu {
     test_device::with_limits(wgpu::Limits {
         max_storage_buffer_binding_size: bytes,
         ..wgpu::Limits::default()

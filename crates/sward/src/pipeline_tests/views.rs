@@ -178,6 +178,7 @@ fn a_view_that_is_no_camera_is_an_error() {
         View { size: [128, 0], ..good },
         View { detail: 0.0, ..good },
         View { detail: f32::NAN, ..good },
+        View { level: Some(4), ..good },
         View { culling: culling(0.0), ..good },
         View { culling: culling(f32::NAN), ..good },
         View { size: [129, 96], opaque_depth: Some(&small), ..good },

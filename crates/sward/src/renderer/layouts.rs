@@ -51,7 +51,12 @@ impl Layouts {
             frame: compute("sward.frame", &[Uniform, Uniform, Read]),
             draw_frame: draw("sward.draw_frame", &[Uniform]),
             field: compute("sward.field", &[Uniform, Uniform, Read, Read]),
-            draw_field: draw("sward.draw_field", &[Uniform, Uniform, Read, Read, Read]),
+            draw_field: layout(
+                device,
+                "sward.draw_field",
+                ShaderStages::VERTEX,
+                &[Uniform, Uniform, Read, Read, Read, Read],
+            ),
             collide: compute("sward.collide", &[Write, Write, Write]),
             cull: compute("sward.cull", &[Uniform, Write, Write, Write]),
             update: compute("sward.update", &[Uniform, Write, Read, Write, Read, Write]),

@@ -29,9 +29,10 @@ struct GpuSpecies {
     arch: f32,
     // First bucket of its topology: 0 pointed, 4 flat tip
     first_bucket: u32,
-    reserved: u32,
+    // How far the surface's colour replaces the species' own, 0 to 1
+    tint: f32,
     // Ridge; where the taper of a triangle-tip begins; light at the roots; shape: 0 quad, 1 triangle,
-    // 2 quadratic, 3 triangle-tip
+    // 2 quadratic, 3 triangle-tip, 4 dandelion
     form: vec4<f32>,
     // Per level: width factor that keeps the outline's area when it is drawn with few segments
     area_scale: vec4<f32>,

@@ -22,6 +22,9 @@ struct GpuView {
     flags: u32,
     // Most entries of the draw list
     capacity: u32,
+    // Heights in pixels, times detail, that levels are chosen within: one level, where it is forced
+    level_height: vec2<f32>,
+    reserved: vec2<f32>,
 }
 
 @group(2) @binding(0) var<uniform> view: GpuView;

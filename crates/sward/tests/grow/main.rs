@@ -1,5 +1,6 @@
 //! Growing: surfaces, scatter, blades, patches, and what they refuse.
 
+mod colors;
 mod input;
 mod masks;
 mod obstacles;

@@ -61,6 +61,8 @@ fn checked(field: &FieldFile, key: &Key) -> Result<FieldDesc, Problem> {
         species: species.collect::<Result<_, _>>()?,
         tufts: tufts(field, &key.at("tufts"))?,
         density_map: None,
+        color_map: None,
+        color_mix: key.at("color_mix").within(field.color_mix, 0.0, 1.0)?,
         max_slope_deg: key.at("max_slope_deg").within(field.max_slope_deg, 0.0, 180.0)?,
         height_limits_m: (limits.min, limits.max),
         obstacles: Vec::new(),
@@ -102,6 +104,7 @@ fn species(kind: &SpeciesFile, key: &Key) -> Result<Species, Problem> {
             ShapeFile::Quad => Shape::Quad,
             ShapeFile::Triangle => Shape::Triangle,
             ShapeFile::Quadratic => Shape::Quadratic,
+            ShapeFile::Dandelion => Shape::Dandelion,
             ShapeFile::TriangleTip(tip) if (0.0..1.0).contains(&tip) => Shape::TriangleTip { tip },
             ShapeFile::TriangleTip(tip) => {
                 let cause = format!("TriangleTip({tip}) is out of range: 0 to below 1");

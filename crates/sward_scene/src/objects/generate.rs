@@ -48,7 +48,14 @@ fn generate(source: &Source, key: &Key, copy: u32) -> Result<Mesh, Problem> {
         Source::Terrain(terrain) => return hills(terrain, key),
         Source::Sphere(sphere) => {
             let rings = segments(sphere.segments)?;
-            Mesh::sphere(length("radius_m", sphere.radius_m)?, rings)
+            let radius_m = length("radius_m", sphere.radius_m)?;
+            let relief_m = key.at("relief_m").within(sphere.relief_m, 0.0, radius_m)?;
+            let hill_m = length("hill_m", sphere.hill_m.unwrap_or(radius_m))?;
+            if relief_m > 0.0 {
+                let planet = shapes::Planet { radius_m, relief_m, hill_m, seed: sphere.seed };
+                return Ok(shapes::planet(&planet, rings));
+            }
+            Mesh::sphere(radius_m, rings)
         }
         Source::Torus(torus) => {
             let round = segments(torus.segments)?.max(3);

@@ -126,7 +126,7 @@ impl Placed {
             collider: if i == 0 { self.collider.clone() } else { Vec::new() },
             name: if alone { self.name.clone() } else { format!("{} part {i}", self.name) },
             base_color: part.base_color.unwrap_or(
-                match (part.mesh.colors.is_empty(), carries_grass) {
+                match (part.mesh.colors.is_empty() && part.texture.is_none(), carries_grass) {
                     (false, _) => [1.0; 3],
                     (true, true) => soil,
                     (true, false) => GREY,

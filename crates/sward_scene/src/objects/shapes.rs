@@ -111,6 +111,26 @@ pub(super) fn rock(radius_m: f32, rough: f32, seed: u32) -> Mesh {
     })
 }
 
+/// A hilly ball's shape.
+pub(super) struct Planet {
+    pub(super) radius_m: f32,
+    pub(super) relief_m: f32,
+    pub(super) hill_m: f32,
+    pub(super) seed: u32,
+}
+
+/// A ball with hills all over it.
+pub(super) fn planet(planet: &Planet, rings: u32) -> Mesh {
+    let mut random = Random::new(u64::from(planet.seed), 13);
+    let wave = std::f32::consts::TAU * planet.radius_m / planet.hill_m;
+    let lumps = Lumps::new(&mut random, &[wave, 2.1 * wave]);
+    ball(rings, |direction| {
+        // Most of the noise lies within -1..=1: its range is the relief.
+        let hill = lumps.at(direction).clamp(-1.0, 1.0);
+        direction * (planet.radius_m + 0.5 * planet.relief_m * hill)
+    })
+}
+
 /// A tree's shape.
 pub(super) struct Tree {
     pub(super) height_m: f32,
@@ -195,6 +215,15 @@ mod tests {
         assert_eq!(rock_1, rock(2.0, 0.35, 1));
         let longest = rock_1.positions.iter().map(|p| p.length()).fold(0.0, f32::max);
         assert!((1.0..4.0).contains(&longest), "{longest}");
+    }
+
+    #[test]
+    fn planets_are_closed_and_hilly() {
+        let made = planet(&Planet { radius_m: 5.0, relief_m: 0.8, hill_m: 4.0, seed: 1 }, 48);
+        assert!(outward_share(&made, Vec3::ZERO) > 0.999);
+        let radii = made.positions.iter().map(|p| p.length());
+        let (low, high) = radii.fold((9.0_f32, 0.0_f32), |(l, h), r| (l.min(r), h.max(r)));
+        assert!((4.59..4.85).contains(&low) && (5.15..5.41).contains(&high), "{low} to {high}");
     }
 
     #[test]

@@ -33,6 +33,13 @@ pub struct FieldFile {
     /// Only a disk of the surface, seen from above; default all of it. Not with `density_map`.
     #[serde(default)]
     pub inside: Option<InsideFile>,
+    /// Map that colours the blades, each by the surface at its root; default none: the species'
+    /// colours alone. A texture not with `inside`.
+    #[serde(default)]
+    pub color: Option<ColorFile>,
+    /// How far that map replaces the species' colours, 0..=1; default 0.9.
+    #[serde(default = "color_mix")]
+    pub color_mix: f32,
     /// Steepest slope that bears grass, 0..=180 from level; default 180, no limit.
     #[serde(default = "any_slope")]
     pub max_slope_deg: f32,
@@ -70,6 +77,9 @@ fn any_height() -> Span {
 }
 fn patch_size() -> u32 {
     sward::FieldDesc::default().patch_size
+}
+fn color_mix() -> f32 {
+    sward::FieldDesc::default().color_mix
 }
 fn no_limit() -> u64 {
     u64::MAX
@@ -115,6 +125,17 @@ pub enum DensityMapFile {
     VertexColor,
 }
 
+/// A map that colours the blades.
+#[derive(Debug, Clone, Deserialize)]
+pub enum ColorFile {
+    /// An image through the surface's UVs, PNG or JPEG.
+    Texture(String),
+    /// The object's own materials: base colour, texture and vertex colours.
+    Surface,
+    /// The surface's vertex colours.
+    VertexColor,
+}
+
 /// Distance that groups blades.
 #[derive(Debug, Clone, Copy, Default, Deserialize)]
 pub enum MetricFile {
@@ -148,6 +169,8 @@ pub enum ShapeFile {
     Quadratic,
     /// Full width up to this share of the length, 0 to below 1, then a triangle.
     TriangleTip(f32),
+    /// A narrow stalk, lobes that hang back towards the root, a blunt end.
+    Dandelion,
 }
 
 /// One kind of plant. Its defaults are those of [`sward::Species`].

@@ -16,7 +16,8 @@ mod wind;
 pub use bodies::{BodiesFile, BodyShapeFile};
 pub use collide::{CollideFile, PackedFile};
 pub use field::{
-    DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile, SpeciesFile, TuftsFile,
+    ColorFile, DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile,
+    SpeciesFile, TuftsFile,
 };
 pub use light::{CullingFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile};
 pub use motion::{PathFile, PathKeyFile};
@@ -25,6 +26,7 @@ pub use source::{
     HeightmapFile, MobiusFile, PlaneFile, RockFile, Source, SphereMeshFile, TerrainFile, TorusFile,
     TreeFile,
 };
+pub(crate) use value::linear_from_srgb;
 pub use value::{Color, Span};
 pub use wind::{CosineFile, FanFile, GustsFile, RotorFile, VortexFile, WavesFile, WindFile};
 

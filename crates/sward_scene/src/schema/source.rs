@@ -16,7 +16,7 @@ pub enum Source {
     Plane(PlaneFile),
     /// Hills from noise, centred on the origin.
     Terrain(TerrainFile),
-    /// A ball about the origin.
+    /// A ball about the origin, smooth or hilly.
     Sphere(SphereMeshFile),
     /// A ring about the y axis.
     Torus(TorusFile),
@@ -118,11 +118,18 @@ pub struct SphereMeshFile {
     pub radius_m: f32,
     /// Segments round it, 4..=1024; default 64.
     pub segments: u32,
+    /// Height from the lowest valley to the highest hill, about; 0 to the radius; default 0. The
+    /// radius is the mean.
+    pub relief_m: f32,
+    /// Distance between hills, about; above 0; default: the radius.
+    pub hill_m: Option<f32>,
+    /// Same seed, same hills; default 1.
+    pub seed: u32,
 }
 
 impl Default for SphereMeshFile {
     fn default() -> Self {
-        Self { radius_m: 1.0, segments: 64 }
+        Self { radius_m: 1.0, segments: 64, relief_m: 0.0, hill_m: None, seed: 1 }
     }
 }
 

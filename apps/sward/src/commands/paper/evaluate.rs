@@ -34,7 +34,7 @@ pub struct Run {
     pub scene: SceneName,
     pub condition: Condition,
     pub report: Report,
-    /// Spheres that colliders are made of.
+    /// Spheres that colliders are made of; a capsule or a box counts as one.
     pub spheres: u64,
     /// The frame that was counted.
     pub picture: RgbImage,
@@ -70,7 +70,7 @@ pub fn evaluate(gpu: &Gpu, name: SceneName, scene: &Scene, settings: Settings) -
         let gpu_bytes = stage.gpu_bytes();
         let measured = Measured { times, statistics, gpu_bytes, patch_size, grow_s };
         let report = Report::new(gpu, scene, &options, without(condition), measured);
-        let spheres = if options.collisions { spheres(scene) } else { 0 };
+        let spheres = stage.collider_parts();
         Ok(Run { scene: name, condition, report, spheres, picture })
     })
     .collect()
@@ -93,8 +93,4 @@ fn without(condition: Condition) -> Vec<String> {
         Condition::NoCollisions => vec!["collisions".into()],
         Condition::NoCulling => vec!["culling".into()],
     }
-}
-
-fn spheres(scene: &Scene) -> u64 {
-    scene.spheres.len() as u64
 }

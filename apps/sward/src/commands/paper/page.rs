@@ -11,10 +11,12 @@ table { border-collapse: collapse; font-size: 0.9em; display: block; overflow-x:
 th, td { border-bottom: 1px solid #8886; padding: 0.25em 0.8em; text-align: right; }
 th:first-child, td:first-child { text-align: left; }
 figure { margin: 2.5rem 0; }
+figure h3, .row p { margin: 0 0 0.4em; }
 .row { display: flex; flex-wrap: wrap; gap: 1rem; }
 .row > div { flex: 1 1 24rem; min-width: 0; }
 img { max-width: 100%; height: auto; display: block; }
-pre { overflow-x: auto; background: #8882; padding: 0.4em 0.8em; font-size: 0.85em; }
+pre { white-space: pre-wrap; overflow-wrap: anywhere; background: #8882; padding: 0.4em 0.8em;
+  font-size: 0.85em; }
 .missing { border: 1px dashed #888; padding: 2rem 1rem; text-align: center; }
 ";
 

@@ -100,7 +100,8 @@ impl Results {
             ),
             "Physics is wind, collision and the motion of blades; visibility is the culling of \
              patches and blades, the choice of levels and the draw lists; draw is the opaque \
-             things, the grass and the sky."
+             things, the grass and the sky. Of the colliders, a capsule or a box counts as one \
+             sphere."
                 .into(),
             "Culled counts are of blades in visible patches, and a blade that fails two tests \
              counts in both, as in the paper. So 'culled by any of them' and 'blades drawn' add up \

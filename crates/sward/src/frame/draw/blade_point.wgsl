@@ -8,8 +8,12 @@ override RING: u32 = 2u;
 override FLAT_TIP: bool = false;
 // Vertices a blade
 override VERTICES: u32 = 17u;
+// Whether `tints` holds a colour for each blade
+override TINTED: bool = false;
 
 @group(1) @binding(4) var<storage, read> dynamics: array<vec2<u32>>;
+// The colour of the surface at each root, where TINTED
+@group(1) @binding(5) var<storage, read> tints: array<u32>;
 @group(2) @binding(1) var<storage, read> list: array<u32>;
 @group(2) @binding(2) var<storage, read> draws: array<GpuDraw, 8>;
 
@@ -42,7 +46,12 @@ fn blade_color(blade: Blade, tone: f32) -> vec3<f32> {
     let colors = species_table[blade.species].colors;
     let root = mix(unpack_color(colors.x), unpack_color(colors.y), other);
     let tip = mix(unpack_color(colors.z), unpack_color(colors.w), pick);
-    return mix(root, tip, tone) * (0.85 + 0.3 * other);
+    var color = mix(root, tip, tone);
+    if TINTED {
+        let own = unpack_color(tints[blade.id - field.first_id]);
+        color = mix(color, own * mix(0.8, 1.05, tone), species_table[blade.species].tint);
+    }
+    return color * (0.85 + 0.3 * other);
 }
 
 // A point of a blade's surface.
@@ -57,6 +66,11 @@ struct BladePoint {
     root_open: f32,
     // 0 upright, 1 flat
     lean: f32,
+    // Place across, 0 to 1
+    u: f32,
+    // Share of the correction of equation 24
+    thin: f32,
+    shape: u32,
     // Beyond the end of the list
     hidden: bool,
 }
@@ -110,6 +124,9 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     out.albedo = blade_color(blade, corner.v * (1.5 - 0.5 * corner.v) - 0.5 * ring.bend);
     out.up = blade.up;
     out.root_open = form.z;
+    out.u = corner.u;
+    out.thin = thin;
+    out.shape = u32(form.w);
     // A blade at rest runs so along its curve parameter
     out.height_share = corner.v * (2.0 - corner.v) - ring.bend;
     out.lean = min(length(state.tip - blade.up * dot(state.tip, blade.up)), 1.0);

@@ -1,9 +1,12 @@
 // The outline of a blade (J equations 22 and 24), and how it turns into the next level's.
 
+// A dandelion's number among the shapes: its pixels are cut by lobes.wgsl.
+const LOBED: u32 = 4u;
+
 // Share of the width left at v: t(1, v) - t(0, v) of equation 22.
 fn outline(shape: u32, tip: f32, v: f32) -> f32 {
     switch shape {
-        case 0u: { return 1.0; }
+        case 0u, LOBED: { return 1.0; }
         case 1u: { return 1.0 - v; }
         case 2u: { return 1.0 - v * v; }
         default: { return 1.0 - max(v - tip, 0.0) / (1.0 - tip); }
@@ -74,8 +77,13 @@ fn morphed_section(
     var own = section(blade, knee, tip, form, corner.v, corner.u, thin);
     if ring.bend > 0.0 {
         let step = 1.0 / f32(SEGMENTS);
-        let low = section(blade, knee, tip, form, corner.v - step, corner.u, thin);
-        let high = section(blade, knee, tip, form, corner.v + step, corner.u, thin);
+        // The next level has no middle line where this is the last with a ridge: its quads are cut
+        // along the diagonal, onto which the middle moves
+        let middle = RING == 3u && BUCKET % 4u == 1u && corner.u == 0.5;
+        let low_u = select(corner.u, 1.0, middle);
+        let high_u = select(corner.u, 0.0, middle);
+        let low = section(blade, knee, tip, form, corner.v - step, low_u, thin);
+        let high = section(blade, knee, tip, form, corner.v + step, high_u, thin);
         own.edge = mix(own.edge, 0.5 * (low.edge + high.edge), morph);
         own.side = mix(own.side, 0.5 * (low.side + high.side), morph);
         own.normal = mix(own.normal, 0.5 * (low.normal + high.normal), morph);

@@ -3,3 +3,6 @@
 
 #[cfg(test)]
 pub(crate) mod twin;
+
+/// A quarter of this projected height, pixels, ends the first level; a quarter of that the next.
+pub(crate) const FULL_DETAIL_PX: f32 = 480.0;

@@ -1,7 +1,7 @@
 //! The CPU reference of level.wgsl.
 
-/// A quarter of this projected height, pixels, ends the first level; a quarter of that the next.
-pub(crate) const FULL_DETAIL_PX: f32 = 480.0;
+use super::FULL_DETAIL_PX;
+
 const MORPH_SHARE: f32 = 0.3;
 const FADE_SHARE: f32 = 0.3;
 

@@ -93,7 +93,8 @@ fn decide(blade: Blade, state: BladeState, local: u32, rank: f32, inside: bool) 
     if has(CULL_OCCLUSION) && has(HAS_DEPTH) {
         failed |= select(0u, 8u, fails_occlusion(pose));
     }
-    let level = choose_level(size.height * view.detail);
+    let height = clamp(size.height * view.detail, view.level_height.x, view.level_height.y);
+    let level = choose_level(height);
     let bucket = select(
         species_table[blade.species].first_bucket + level.index,
         NO_BUCKET,

@@ -1,0 +1,103 @@
+//! The pipelines of drawing: one a bucket, in the variants that fields need.
+
+use super::topology::Topology;
+use crate::Targets;
+use crate::gpu::layout::BUCKETS;
+use crate::gpu::shaders::Shader;
+
+/// What a field needs beyond the plain pipelines. Others do not pay for it: variants are made when
+/// the first field that needs them is added.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Variant {
+    /// Has a shape with lobes, cut pixel by pixel out of flat-tipped strips.
+    pub(crate) lobed: bool,
+    /// Has a colour for each blade.
+    pub(crate) tinted: bool,
+}
+
+/// Shader and entry points of a pipeline.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Program<'a> {
+    pub(super) module: &'a wgpu::ShaderModule,
+    pub(super) vertex: &'a str,
+    pub(super) fragment: &'a str,
+}
+
+/// What a bucket's pipeline is made with.
+pub(super) fn constants(bucket: usize, targets: Targets, tinted: bool) -> Vec<(&'static str, f64)> {
+    let topology = Topology::of(bucket);
+    vec![
+        ("BUCKET", bucket as f64),
+        ("SEGMENTS", f64::from(topology.segments)),
+        ("RING", f64::from(topology.ring)),
+        ("FLAT_TIP", f64::from(u8::from(topology.flat_tip))),
+        ("VERTICES", f64::from(topology.vertices())),
+        ("TINTED", f64::from(u8::from(tinted))),
+        ("SAMPLES", f64::from(targets.samples)),
+    ]
+}
+
+/// A pipeline of the layout.
+pub(super) fn pipeline(
+    device: &wgpu::Device,
+    layout: &wgpu::PipelineLayout,
+    targets: Targets,
+    program: Program,
+    constants: &[(&str, f64)],
+) -> wgpu::RenderPipeline {
+    let options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("sward.draw"),
+        layout: Some(layout),
+        vertex: wgpu::VertexState {
+            module: program.module,
+            entry_point: Some(program.vertex),
+            compilation_options: options.clone(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: targets.depth,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::Less),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
+        multisample: wgpu::MultisampleState { count: targets.samples, ..Default::default() },
+        fragment: Some(wgpu::FragmentState {
+            module: program.module,
+            entry_point: Some(program.fragment),
+            compilation_options: options,
+            targets: &[Some(targets.color.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+/// The pipelines of a variant, by bucket.
+pub(super) fn variant_pipelines(
+    device: &wgpu::Device,
+    layout: &wgpu::PipelineLayout,
+    targets: Targets,
+    variant: Variant,
+) -> Vec<wgpu::RenderPipeline> {
+    let plain = Shader::Draw.module(device);
+    let lobed = variant.lobed.then(|| Shader::DrawLobed.module(device));
+    let make = |bucket: usize| {
+        // The first level is near, the others far
+        let near = bucket.is_multiple_of(4);
+        let (module, vertex, fragment) = match (&lobed, near) {
+            (Some(lobed), true) if bucket >= 4 => (lobed, "vs_near_lobed", "fs_near_lobed"),
+            (Some(lobed), false) if bucket >= 4 => (lobed, "vs_far_lobed", "fs_far_lobed"),
+            (_, true) => (&plain, "vs_near", "fs_near"),
+            (_, false) => (&plain, "vs_far", "fs_far"),
+        };
+        let mut constants = constants(bucket, targets, variant.tinted);
+        // The plain module knows no samples
+        constants.retain(|(name, _)| *name != "SAMPLES" || vertex.ends_with("lobed"));
+        let program = Program { module, vertex, fragment };
+        pipeline(device, layout, targets, program, &constants)
+    };
+    (0..BUCKETS).map(make).collect()
+}
