@@ -32,7 +32,8 @@ impl Samples {
         let coarse = Self::measure(solid, (volume / COARSE).cbrt());
         // As many points share the volume inside as are wanted, where the whole is not too many.
         let finest = (volume / MOST).cbrt();
-        let mut step = (coarse.step * (coarse.count().max(1) as f32 / wanted as f32).cbrt()).max(finest);
+        let mut step =
+            (coarse.step * (coarse.count().max(1) as f32 / wanted as f32).cbrt()).max(finest);
         for _ in 0..RETRIES {
             let samples = Self::measure(solid, step);
             if samples.count() > 0 {
