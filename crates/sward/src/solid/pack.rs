@@ -54,9 +54,9 @@ const MOST_SPHERES: u32 = 65_536;
 /// Grid points inside, for each sphere: below about 100 the shapes of the smallest are left to
 /// chance. And their least and most in all.
 const POINTS_A_SPHERE: u32 = 300;
-const POINTS: std::ops::RangeInclusive<u32> = 20_000..=400_000;
+const POINTS: std::ops::RangeInclusive<u32> = 4_000..=400_000;
 /// Points of the box that coverage is counted with.
-const COUNTED: u32 = 60_000;
+const COUNTED: u32 = 10_000;
 /// Powers of the inverse of the root of x^4 = x + 1.
 const R3: [f64; 3] = [0.819_172_513_396_164_4, 0.671_043_606_703_789_2, 0.549_700_477_901_970_4];
 /// A point is near the medial axis where the distance field rises less than this towards each of
