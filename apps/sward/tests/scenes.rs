@@ -80,7 +80,8 @@ fn every_asset_has_its_licence_and_is_used() {
     let scenes: String = stems(&shipped(), "ron").iter().map(read).collect();
     for entry in std::fs::read_dir(&assets).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
-        if name == "LICENSES.md" {
+        // Spheres that fill a mesh are made when they are first wanted.
+        if name == "LICENSES.md" || name.ends_with(".pack") {
             continue;
         }
         let headed = licences.lines().any(|line| line.starts_with("## ") && line.contains(&name));
