@@ -11,6 +11,7 @@ mod movers;
 mod opaque;
 mod passes;
 mod readback;
+mod resume;
 mod shapes;
 mod targets;
 mod texture;
@@ -152,10 +153,9 @@ impl Stage {
     /// # Errors
     /// Where the device fails.
     pub fn warm_up(&mut self) -> Result<()> {
-        let steps = (self.warm_up_s * 60.0).ceil() as u32;
-        for _ in 0..steps {
+        for dt_s in self.warm_up_steps() {
             let mut encoder = self.encoder();
-            self.encode_simulate(&mut encoder, self.warm_up_s / f64::from(steps))?;
+            self.encode_simulate(&mut encoder, dt_s)?;
             self.submit(encoder);
             self.gpu.wait()?;
         }
@@ -224,11 +224,8 @@ impl Stage {
     /// # Errors
     /// Where wind or spheres are more than fit, or not finite.
     pub fn encode_simulate(&mut self, encoder: &mut wgpu::CommandEncoder, dt_s: f64) -> Result<()> {
-        self.time_s += dt_s;
+        self.follow(dt_s);
         let time_s = self.time_s as f32;
-        self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(time_s)).collect();
-        self.wind.advance(dt_s);
-        self.movers.advance(self.time_s);
         if self.opaque.place(&self.gpu.queue, self.movers.placements(time_s)) {
             self.depth_is_opaque = false;
         }
@@ -245,6 +242,15 @@ impl Stage {
             physics: self.options.physics,
         };
         Ok(self.renderer.simulate(&self.gpu.device, encoder, &frame)?)
+    }
+
+    /// What moves by itself, without the grass: time, wind, things and bodies.
+    fn follow(&mut self, dt_s: f64) {
+        self.time_s += dt_s;
+        let time_s = self.time_s as f32;
+        self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(time_s)).collect();
+        self.wind.advance(dt_s);
+        self.movers.advance(self.time_s);
     }
 
     /// Records the depth of the opaque things, unless it is there already.
