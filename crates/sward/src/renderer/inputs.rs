@@ -80,6 +80,11 @@ impl Inputs {
         self.chunks.forget_lists();
     }
 
+    /// The lists of the patches are of another time.
+    pub(crate) fn make_lists_anew(&mut self) {
+        self.chunks.make_lists_anew();
+    }
+
     /// Writes a step's inputs, which [`check`] let pass; says what colliders there are.
     pub(crate) fn write(
         &mut self,

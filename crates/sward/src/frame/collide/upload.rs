@@ -88,6 +88,12 @@ impl ChunkBuffer {
         self.stale = true;
     }
 
+    /// The lists of the patches are of another time: they are made anew in the next step.
+    pub(crate) fn make_lists_anew(&mut self) {
+        self.stale = true;
+        self.had_moving = true;
+    }
+
     /// Writes what [`check`] let pass. Says what there is, and whether the buffer is another one.
     pub(crate) fn write(
         &mut self,
