@@ -54,6 +54,9 @@ pub struct Args {
     /// The paper's own numbers [default: those that come with the program]
     #[arg(long, value_name = "FILE")]
     published: Option<PathBuf>,
+    /// The tables only: no picture is drawn
+    #[arg(long)]
+    no_pictures: bool,
     /// Small pictures and few frames; the times say little then
     #[arg(long)]
     quick: bool,
@@ -83,7 +86,7 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     output::prepare_file("-o", &args.output.join("tables.json"))?;
     let results = measure(&gpu, &scenes, settings, published)?;
     drop(gpu);
-    let figures = figures::all()?;
+    let figures = if args.no_pictures { Vec::new() } else { figures::all()? };
     let bar = progress::bar(quiet, "pictures", figures::count(&figures) as u64);
     // The scenes' cameras are set up for this shape.
     let picture = [size[0], (size[0] * 9).div_ceil(16).max(1)];
