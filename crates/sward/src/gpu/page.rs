@@ -69,7 +69,7 @@ pub struct Page {
     pub dynamics: wgpu::Buffer,
     /// `GpuBand` by 64 blades.
     pub bands: wgpu::Buffer,
-    /// Spheres near each patch: a count, then indices.
+    /// Chunks of colliders near each patch.
     pub near: wgpu::Buffer,
     /// Patches at work, and how many of their blades.
     pub work: wgpu::Buffer,

@@ -18,6 +18,9 @@ const DRAWS: &str = part!("shared/draws.wgsl");
 const DEPTH_SINGLE: &str = part!("shared/depth_single.wgsl");
 const DEPTH_MULTISAMPLED: &str = part!("shared/depth_multisampled.wgsl");
 const WIND: &str = part!("frame/wind/wind.wgsl");
+const PRIMITIVE: &str = part!("frame/collide/primitive.wgsl");
+const NEAR: &str = part!("frame/collide/near.wgsl");
+const CUBOID: &str = part!("frame/collide/cuboid.wgsl");
 const WIND_PLACED: &str = part!("frame/wind/placed.wgsl");
 const CONTACT: &str = part!("frame/collide/contact.wgsl");
 const COLLIDE: &str = part!("frame/collide/collide.wgsl");
@@ -39,7 +42,7 @@ const DRAW: &str = part!("frame/draw/draw.wgsl");
 /// One shader module of the library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shader {
-    /// Spheres near each patch.
+    /// Colliders near each patch.
     Collide,
     /// Patches that a view sees.
     Cull,
@@ -84,12 +87,12 @@ impl Shader {
 
     fn parts(self) -> Vec<&'static str> {
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
-        let update =
-            [STATE, BAND, VIEW, LEVEL, WIND, WIND_PLACED, CONTACT, PHYSICS, PAPER, TESTS, UPDATE];
+        let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
+        let update = [STATE, BAND, VIEW, LEVEL, WIND, WIND_PLACED, PHYSICS, PAPER, TESTS, UPDATE];
         let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW];
         let lobed = [&draw[..], &[LOBES, LOBED]].concat();
         let rest: &[&str] = match self {
-            Self::Collide => &[COLLIDE],
+            Self::Collide => &[PRIMITIVE, COLLIDE],
             Self::Cull => &[BAND, VIEW, LEVEL, CULL],
             Self::Update => &[DEPTH_SINGLE],
             Self::UpdateMultisampled => &[DEPTH_MULTISAMPLED],
@@ -100,6 +103,7 @@ impl Shader {
         };
         let mut parts = [&field[..], rest].concat();
         if matches!(self, Self::Update | Self::UpdateMultisampled) {
+            parts.extend(collide);
             parts.extend(update);
         }
         parts

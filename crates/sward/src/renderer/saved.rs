@@ -70,7 +70,7 @@ impl Renderer {
         }
         self.clock.restore(header.clock);
         // The lists of what is near each patch are of another time: they are made anew
-        self.had_spheres = true;
+        self.inputs.make_lists_anew();
         self.model = if header.model == 0 { PhysicsModel::Sward } else { PhysicsModel::Paper };
         Ok(())
     }

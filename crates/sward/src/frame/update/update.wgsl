@@ -6,16 +6,12 @@ override TEST: bool = true;
 @group(2) @binding(1) var<storage, read_write> bands: array<GpuBand>;
 @group(2) @binding(2) var<storage, read> work: array<vec2<u32>>;
 @group(2) @binding(3) var<storage, read_write> dynamics: array<vec2<u32>>;
-// Per patch: how many spheres are near, then their indices
+// Chunks near each patch
 @group(2) @binding(4) var<storage, read> near: array<u32>;
 // Two blades a word, 16 bits each: bucket 4, morph 5, fade 5
 @group(2) @binding(5) var<storage, read_write> decisions: array<u32>;
 
 const NO_BUCKET: u32 = 15u;
-
-fn near_sphere(slot: u32) -> vec4<f32> {
-    return spheres[near[slot]];
-}
 
 struct Decision {
     // Bucket 4 bits, morph 5, fade 5
@@ -29,11 +25,10 @@ fn advance(blade: Blade, state: BladeState, band: GpuBand, patch_index: u32) -> 
     if band.step + 1u != frame.step {
         gap = f32(frame.ticks - band.ticks) / 16384.0;
     }
-    let first = patch_index * NEAR_STRIDE;
     if frame.physics_model == 1u {
-        return advance_paper(blade, state, gap, first + 1u, near[first]);
+        return advance_paper(blade, state, gap, patch_index);
     }
-    return advance_sward(blade, state, gap, first + 1u, near[first]);
+    return advance_sward(blade, state, gap, patch_index);
 }
 
 struct Size {
@@ -108,6 +103,7 @@ fn decide(blade: Blade, state: BladeState, local: u32, rank: f32, inside: bool) 
 // Bit masks of the lanes: 8 buckets, then 4 failed tests, two words each.
 var<workgroup> masks: array<atomic<u32>, 24>;
 var<workgroup> packed: array<atomic<u32>, 32>;
+var<workgroup> tested: atomic<u32>;
 
 fn mask_count(index: u32) -> u32 {
     return countOneBits(atomicLoad(&masks[2u * index]))
@@ -156,6 +152,9 @@ fn update(
         var state = unpack_state(blade, dynamics[index]);
         if stale {
             state = advance(blade, state, band, patch_index);
+            if tests_made > 0u {
+                atomicAdd(&tested, tests_made);
+            }
             let bits = pack_state(blade, state);
             dynamics[index] = bits;
             // Test what will be drawn: the quantised state
@@ -176,7 +175,7 @@ fn update(
         if stale {
             bands[band_index].step = frame.step;
             bands[band_index].ticks = frame.ticks;
-            bands[band_index].tested = near[patch_index * NEAR_STRIDE] * min(count - first, BAND);
+            bands[band_index].tested = atomicLoad(&tested);
         }
         if TEST {
             bands[band_index].counts =
