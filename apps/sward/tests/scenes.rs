@@ -32,6 +32,7 @@ scenes! {
     closeup [],
     displacement [],
     fur [],
+    helicopter [],
     meadow [],
     minimal [],
     mobius [],
@@ -39,6 +40,7 @@ scenes! {
     planet [],
     reference [],
     shapes [],
+    tornado [],
 }
 
 /// Names without endings of the files of one kind in a folder.

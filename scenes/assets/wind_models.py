@@ -1,3 +1,6 @@
+"""Makes helicopter.obj, rotor.obj and funnel.obj beside this file: see LICENSES.md. Needs numpy."""
+import os
+HERE = os.path.dirname(os.path.abspath(__file__))
 import numpy as np, math
 class Obj:
     def __init__(s): s.v=[];s.n=[];s.f=[]
@@ -136,7 +139,7 @@ for side in (-1,1):
     for z in (-0.8,0.9):
         b.tube((side*0.35,0.72,z),(side*0.85,0.42,z),0.05,0.045,dark,10)
         b.tube((side*0.83,0.45,z),(x,0.06,z),0.045,0.045,dark,10)
-b.write('scenes/assets/helicopter.obj','# A light helicopter, nose towards -z, skids on y = 0, the hub at (0, 3.05, 0.1). CC0.\n')
+b.write(HERE + '/helicopter.obj','# A light helicopter, nose towards -z, skids on y = 0, the hub at (0, 3.05, 0.1). CC0.\n')
 r=Obj()
 N=2; R=5.0
 for k in range(N):
@@ -154,4 +157,25 @@ for k in range(N):
         r.slab([A[0],A[1],B[1],B[0],A[3],A[2],B[2],B[3]],col)
     r.slab([P(0,-0.06,0.0),P(0,0.06,0.0),P(0.6,0.05,0.0),P(0.6,-0.05,0.0),P(0,-0.06,0.09),P(0,0.06,0.09),P(0.6,0.05,0.09),P(0.6,-0.05,0.09)],steel)
 r.grid(ell((0,0.05,0),(0.2,0.16,0.2)),20,10,lambda p,u,v: steel)
-r.write('scenes/assets/rotor.obj','# Two rotor blades of 5 m round (0, 0, 0), turning about y. CC0.\n')
+r.write(HERE + '/rotor.obj','# Two rotor blades of 5 m round (0, 0, 0), turning about y. CC0.\n')
+
+# The funnel of a tornado
+rng=np.random.default_rng(4)
+H=34.0
+def fn(u,v):
+    y=H*v
+    # A narrow foot, a wide head; leaning and bent like a rope.
+    r=0.55+0.9*math.exp(-((v-0.0)/0.04)**2)+6.0*v**2.2
+    t=2*math.pi*u
+    tw=9.0*v**0.8
+    r*=1+0.10*math.sin(3*t+tw*1.6)+0.07*math.sin(5*t+2.3*tw+1)+0.04*math.sin(11*t+3.7*tw)+0.05*math.sin(2*t-31*v)
+    cx=1.6*math.sin(2.6*v)+0.35*math.sin(11*v); cz=1.1*math.sin(3.6*v+0.6)-1.1*math.sin(0.6)
+    return np.array([cx+r*math.cos(t),y-0.3,cz+r*math.sin(t)])
+def col(p,u,v):
+    dust=np.array([0.20,0.165,0.115]); cloud=np.array([0.33,0.34,0.35])
+    t=2*math.pi*u; tw=9.0*v**0.8
+    k=min(v*1.7,1)
+    c=dust*(1-k)+cloud*k
+    return tuple(c*(0.92+0.13*math.sin(3*t+tw*1.6)))
+o=Obj(); o.grid(fn,48,72,col)
+o.write(HERE + '/funnel.obj','# The funnel of a tornado, 34 m high, its foot at (0, 0, 0). CC0.\n')
