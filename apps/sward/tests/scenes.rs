@@ -31,6 +31,7 @@ scenes! {
     closeup [],
     displacement [],
     fur [],
+    hand ["--time", "1.2"],
     meadow [],
     minimal [],
     mobius [],
