@@ -21,6 +21,6 @@ const BLOCK: u32 = 256u;
 struct GpuBlock {
     // Survivors by bucket; after scan_totals, the place of the block's first one in the list
     buckets: array<u32, 8>,
-    // Failed tests: orientation, frustum, distance, occlusion; sphere tests; 3 unused
+    // Failed tests: orientation, frustum, distance, occlusion; sphere tests; blades moved; 2 unused
     counted: array<u32, 8>,
 }
