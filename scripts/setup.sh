@@ -1,5 +1,6 @@
 # Shared by ./run, ./test and .ci/run: checks for cargo and a Vulkan driver, and installs Mesa's
-# software driver where there is none. Sourced with the repository's root as the current folder.
+# software driver where there is none, and ffmpeg for the tests. Sourced with the repository's root as
+# the current folder.
 
 say() { printf '%s\n' "$*" >&2; }
 die() { say "error: $*"; exit 2; }
@@ -55,6 +56,13 @@ hand, such as Mesa's lavapipe (Fedora: mesa-vulkan-drivers, Arch: vulkan-swrast)
 require_compiler() {
     say "No C++ compiler found: installing g++"
     apt_install g++ || die "no apt-get here: install a C++ compiler by hand"
+}
+
+# Films are encoded by it; without it their tests check only what is said then.
+want_ffmpeg() {
+    command -v ffmpeg >/dev/null 2>&1 && return 0
+    say "No ffmpeg found: installing it"
+    (apt_install ffmpeg) || say "ffmpeg cannot be installed here: films are not tested"
 }
 
 require_runtime_dir() {

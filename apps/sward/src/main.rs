@@ -6,7 +6,9 @@ mod input;
 mod measure;
 mod output;
 mod progress;
+mod states;
 mod table;
+mod video;
 
 use clap::Parser;
 use std::io::Write;

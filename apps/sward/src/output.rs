@@ -1,6 +1,7 @@
 //! Where pictures go. A picture is written beside its final name and renamed when it is whole, so
 //! that nobody ever sees half of one.
 
+use crate::video::Format;
 use anyhow::{Context, Result, bail};
 use image::RgbImage;
 use std::fs;
@@ -11,6 +12,8 @@ use std::path::{Path, PathBuf};
 pub enum Output {
     /// One file.
     Single(PathBuf),
+    /// A film.
+    Video(PathBuf, Format),
     /// A file a frame: text before the number, its least width, text after it.
     Sequence {
         /// Path up to the number.
@@ -23,7 +26,7 @@ pub enum Output {
 }
 
 impl Output {
-    /// Understands `FILE.png` and `f/%04d.png`.
+    /// Understands `FILE.png`, `f/%04d.png`, `FILE.mp4` and `FILE.gif`.
     ///
     /// # Errors
     /// Where the format is unknown or the pattern is broken.
@@ -31,10 +34,11 @@ impl Output {
         let shown = path.display();
         match path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).as_deref() {
             Some("png") => {}
-            Some(format @ ("mp4" | "gif")) => {
-                bail!("-o {shown}: {format} is not written yet; use a sequence such as f/%04d.png")
-            }
-            Some(_) => bail!("-o {shown}: unknown format; pictures are written as .png"),
+            Some("mp4") => return Ok(Self::Video(path.into(), Format::Mp4)),
+            Some("gif") => return Ok(Self::Video(path.into(), Format::Gif)),
+            Some(_) => bail!(
+                "-o {shown}: unknown format; pictures are written as .png, films as .mp4 or .gif"
+            ),
             None => bail!("-o {shown}: the name has no extension; pictures are written as .png"),
         }
         let Some(text) = path.to_str().filter(|text| text.contains('%')) else {
@@ -49,15 +53,29 @@ impl Output {
         }
     }
 
-    /// Whether each frame has a file of its own.
-    pub fn is_sequence(&self) -> bool {
-        matches!(self, Self::Sequence { .. })
+    /// Checks that it can take as many frames as there are; none: a single picture.
+    ///
+    /// # Errors
+    /// Where frames are missing, or would overwrite each other.
+    pub fn check_frames(&self, frames: Option<usize>) -> Result<()> {
+        let shown = self.file(0);
+        let shown = shown.display();
+        match (self, frames) {
+            (Self::Single(_), Some(2..)) => {
+                bail!("-o {shown}: several frames need a number in the name, such as f/%04d.png")
+            }
+            (Self::Sequence { .. }, None) => {
+                bail!("-o {shown}: a name with a number needs --frames A..B")
+            }
+            (Self::Video(..), None) => bail!("-o {shown}: a film needs --frames A..B"),
+            _ => Ok(()),
+        }
     }
 
     /// The file of a frame.
     pub fn file(&self, frame: u32) -> PathBuf {
         match self {
-            Self::Single(path) => path.clone(),
+            Self::Single(path) | Self::Video(path, _) => path.clone(),
             Self::Sequence { before, width, after } => {
                 format!("{before}{frame:0width$}{after}", width = *width).into()
             }
@@ -157,6 +175,14 @@ pub fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<()> {
     write_file(path, &bytes)
 }
 
+/// Writes bytes.
+///
+/// # Errors
+/// Where it cannot be written; then there is no new file.
+pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
+    write_file(path, bytes)
+}
+
 /// Writes text.
 ///
 /// # Errors
@@ -207,7 +233,7 @@ mod tests {
         assert_eq!(file("f-%d.png", 12).as_deref(), Some("f-12.png"));
         assert_eq!(file("50%%-%02d.png", 3).as_deref(), Some("50%-03.png"));
         assert_eq!(file("50%%.png", 3).as_deref(), Some("50%.png"));
-        for bad in ["%s.png", "%d%d.png", "%4d.png", "%.png", "a", "a.jpg", "a.mp4", "%099d.png"] {
+        for bad in ["%s.png", "%d%d.png", "%4d.png", "%.png", "a", "a.jpg", "%099d.png"] {
             assert_eq!(file(bad, 0), None, "{bad}");
         }
     }

@@ -64,6 +64,16 @@ fn frames_and_times() {
 }
 
 #[test]
+fn states() {
+    render(&["-o", "%d.png", "--frames", "0..2", "--state-every", "0"], "--state-every");
+    render(&["-o", "%d.png", "--frames", "0..2", "--state-every", "x"], "--state-every");
+    render(&["-o", "a.png", "--state-every", "3"], "--frames");
+    render(&["-o", "a.png", "--states", "s"], "--frames");
+    let folder = ["--state-every", "1", "--states", "file.txt/s"];
+    render(&[&["-o", "%d.png", "--frames", "0..2"], &folder[..]].concat(), "--states file.txt/s");
+}
+
+#[test]
 fn samples() {
     render(&["-o", "a.png", "--samples", "3"], "this adapter has 1, 4");
     render(&["-o", "a.png", "--samples", "0"], "this adapter has 1, 4");
@@ -79,8 +89,10 @@ fn cameras() {
 fn outputs() {
     render(&["-o", "a"], "no extension");
     render(&["-o", "a.jpg"], ".png");
-    render(&["-o", "a.mp4"], "not written yet");
-    render(&["-o", "a.gif"], "not written yet");
+    render(&["-o", "a.mp4"], "a film needs --frames");
+    render(&["-o", "a.gif"], "a film needs --frames");
+    render(&["-o", "a.mp4", "--frames", "0..2", "--size", "1x9"], "at least 2 pixels");
+    render(&["-o", "file.txt/a.mp4", "--frames", "0..2"], "file.txt");
     render(&["-o", "%s.png", "--frames", "0..2"], "%04d");
     render(&["-o", "file.txt/a.png"], "file.txt");
     render(&["-o", "."], "extension");

@@ -93,6 +93,7 @@ fn bench_writes_every_key() {
         "blades_drawn",
         "blades_culled",
         "spheres_tested",
+        "patches_crowded",
         "vertices",
         "ms",
         "bytes_per_blade",

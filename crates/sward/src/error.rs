@@ -29,12 +29,20 @@ pub enum Error {
         /// What to do about it.
         remedy: String,
     },
+    /// A saved state cannot be saved, or not gone on from: it is damaged, or of something else.
+    #[error("the saved state {0}")]
+    State(String),
 }
 
 impl Error {
     /// A setting out of range.
     pub(crate) fn setting(setting: impl Into<String>, cause: impl Into<String>) -> Self {
         Self::Setting { setting: setting.into(), cause: cause.into() }
+    }
+
+    /// A saved state at fault.
+    pub(crate) fn state(cause: impl Into<String>) -> Self {
+        Self::State(cause.into())
     }
 
     /// A mesh that cannot carry grass.

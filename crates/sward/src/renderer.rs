@@ -19,6 +19,7 @@ mod clock;
 mod debugging;
 mod inputs;
 mod layouts;
+mod saved;
 
 use clock::Clock;
 use inputs::Inputs;
@@ -88,7 +89,6 @@ pub struct Renderer {
     inputs: Inputs,
     clock: Clock,
     model: PhysicsModel,
-    had_spheres: bool,
     pages: Vec<Page>,
     totals: Statistics,
     read_back: ReadBack,
@@ -114,7 +114,6 @@ impl Renderer {
             inputs: Inputs::new(device, &layouts),
             clock: Clock::default(),
             model: PhysicsModel::default(),
-            had_spheres: false,
             pages: Vec::new(),
             totals: Statistics::default(),
             read_back: ReadBack::default(),
@@ -156,16 +155,18 @@ impl Renderer {
             self.draw.ensure(device, page.variant);
             self.pages.push(page);
         }
+        self.inputs.forget_lists();
         self.totals.blades += count;
         self.totals.patches += patch_count as u64;
         Ok(())
     }
 
-    /// Advances time. Blades that colliders touch move now, the others when a view next sees them.
+    /// Advances time. Blades that moving colliders touch move now, the others when a view next sees
+    /// them.
     ///
     /// # Errors
     /// [`Error::Setting`] for values that are not finite, [`Error::Limit`] for more wind sources
-    /// or spheres than fit.
+    /// or colliders than fit.
     pub fn simulate(
         &mut self,
         device: &wgpu::Device,
@@ -180,16 +181,14 @@ impl Renderer {
             }
         }
         self.clock.advance(frame.dt_s);
-        self.inputs.write(device, encoder, &self.layouts, frame, &lists, &self.clock);
-        let spheres = !lists.spheres.is_empty();
-        if spheres || self.had_spheres {
+        let chunks = self.inputs.write(device, encoder, &self.layouts, frame, &lists, &self.clock);
+        if !chunks.listed {
             self.wake_touched(device, encoder);
         }
-        self.had_spheres = spheres;
         Ok(())
     }
 
-    /// Lists the spheres near each patch and moves the blades of the patches that have some.
+    /// Lists the colliders near each patch and moves the blades of the patches that moving ones touch.
     fn wake_touched(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         for index in 0..self.pages.len() {
             self.ensure_view(device, index, 0, None);

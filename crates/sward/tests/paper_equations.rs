@@ -130,21 +130,21 @@ fn length_pass_divides_by_the_printed_estimate() {
 fn collision_pushes_out_what_is_inside_only() {
     // Equation 14: min keeps what is inside. 0.2 inside, along +x away from the centre.
     let ball = Sphere { center: Vec3::new(-0.3, 1.0, 0.0), radius: 0.5 };
-    near(push_out(DVec3::Y, &ball, DVec3::Z), dvec3(0.2, 0.0, 0.0));
-    near(push_out(dvec3(0.3, 1.0, 0.0), &ball, DVec3::Z), DVec3::ZERO);
+    near(push_out(DVec3::Y, &ball.into(), &blade(), DVec3::Z), dvec3(0.2, 0.0, 0.0));
+    near(push_out(dvec3(0.3, 1.0, 0.0), &ball.into(), &blade(), DVec3::Z), DVec3::ZERO);
     // At the centre: along the lean, by the radius.
-    near(push_out(ball.center.as_dvec3(), &ball, DVec3::Z), dvec3(0.0, 0.0, 0.5));
+    near(push_out(ball.center.as_dvec3(), &ball.into(), &blade(), DVec3::Z), dvec3(0.0, 0.0, 0.5));
 }
 
 #[test]
 fn midpoint_counts_four_times_but_crushes_once() {
     // Upright: m = 0.25 v0 + 0.5 v1 + 0.25 v2 = 0.75 up; a small ball at that height hits it only.
     let ball = Sphere { center: Vec3::new(-0.1, 0.75, 0.0), radius: 0.15 };
-    let (moved, crush) = collision(&blade(), DVec3::Y, &[ball]);
+    let (moved, crush) = collision(&blade(), DVec3::Y, &[ball.into()]);
     near(moved, dvec3(0.2, 0.0, 0.0));
     assert!((crush - 0.05 * 0.05).abs() < 1e-8, "{crush}: equation 16 takes d before the four");
     let at_tip = Sphere { center: Vec3::new(-0.1, 1.0, 0.0), radius: 0.15 };
-    let (moved, crush) = collision(&blade(), DVec3::Y, &[at_tip]);
+    let (moved, crush) = collision(&blade(), DVec3::Y, &[at_tip.into()]);
     near(moved, dvec3(0.05, 0.0, 0.0));
     assert!((crush - 0.05 * 0.05).abs() < 1e-8);
 }

@@ -7,6 +7,7 @@ mod physics_pass;
 use common::{Draws, balls_near, calm, device, gusty_wind, rolling};
 use glam::{DVec3, Vec3};
 use physics_pass::{Model, PhysicsPass, rounded};
+use sward::frame::collide::primitive::Primitive;
 use sward::frame::physics::paper_twin;
 use sward::frame::physics::twin::{self, Blade, State, Surroundings};
 use sward::shared::curve_twin::project_tip;
@@ -51,7 +52,7 @@ fn one_step_equals_the_reference() {
     let (blades, mut wind) = (blades(3.0), gusty_wind());
     let start = states(&blades);
     wind.advance(1234.5);
-    let spheres: Vec<Sphere> = blades
+    let spheres: Vec<Primitive> = blades
         .iter()
         .enumerate()
         .flat_map(|(i, blade)| balls_near(&mut Draws::new(i as u32 + 777), blade, 2))
@@ -63,13 +64,14 @@ fn one_step_equals_the_reference() {
     for model in [Model::Sward, Model::Paper, Model::Rest] {
         for (gravity, balls) in [(gravity, true), (Gravity::default(), false), (center, false)] {
             let spheres = if balls { &spheres[..] } else { &[] };
-            let around = Surroundings { spheres, gravity, ..calm(&wind, 0.016_f32.into()) };
+            let around =
+                Surroundings { primitives: spheres, gravity, ..calm(&wind, 0.016_f32.into()) };
             let pass = PhysicsPass::new(&blades, &start);
             pass.step(&around, &gaps, model);
             let cpu: Vec<State> = (0..blades.len())
                 .map(|i| {
                     let spheres = if balls { &spheres[i * 2..i * 2 + 2] } else { &[] };
-                    let around = Surroundings { spheres, ..around };
+                    let around = Surroundings { primitives: spheres, ..around };
                     advance(&blades[i], start[i], gaps[i], &around, model)
                 })
                 .collect();
@@ -93,22 +95,28 @@ fn run(hz: f32, frames: u32, model: Model, ball: Option<Sphere>) -> (Vec<f64>, f
         let around = calm(&wind, dt_s.into());
         let time = f64::from(frame) * f64::from(dt_s);
         // The same ball for each blade, in the blade's own place and size.
-        let spheres: Vec<Sphere> = ball
+        let spheres: Vec<Primitive> = ball
             .iter()
-            .flat_map(|b| blades.iter().map(move |blade| seen_by(blade, b, time)))
+            .flat_map(|b| blades.iter().map(move |blade| seen_by(blade, b, time, dt_s.into())))
             .collect();
-        pass.step(&Surroundings { spheres: &spheres, ..around }, &gaps, model);
+        pass.step(&Surroundings { primitives: &spheres, ..around }, &gaps, model);
         for (i, (blade, state)) in blades.iter().zip(&mut cpu).enumerate() {
             let spheres = spheres.get(i..=i).unwrap_or_default();
-            *state = advance(blade, *state, dt_s, &Surroundings { spheres, ..around }, model);
+            *state = advance(
+                blade,
+                *state,
+                dt_s,
+                &Surroundings { primitives: spheres, ..around },
+                model,
+            );
         }
     }
     differences(&pass.states(), &cpu)
 }
 
-fn seen_by(blade: &Blade, ball: &Sphere, time_s: f64) -> Sphere {
+fn seen_by(blade: &Blade, ball: &Sphere, time_s: f64, dt_s: f64) -> Primitive {
     let h = blade.height as f32;
-    rolling(blade.root.as_vec3() + ball.center * h, Vec3::X * h, ball.radius * h, time_s)
+    rolling(blade.root.as_vec3() + ball.center * h, Vec3::X * h, ball.radius * h, time_s, dt_s)
 }
 
 #[test]
@@ -149,16 +157,16 @@ fn absurd_surroundings_leave_numbers() {
         (Vec3::splat(1e30), 1e35),
         (Vec3::splat(f32::MAX), f32::MAX),
     ];
-    let spheres: Vec<Sphere> = (0..blades.len())
+    let spheres: Vec<Primitive> = (0..blades.len())
         .map(|i| absurd[i % absurd.len()])
-        .map(|(center, radius)| Sphere { center, radius })
+        .map(|(center, radius)| Sphere { center, radius }.into())
         .collect();
     let wind = gusty_wind();
     for model in [Model::Sward, Model::Paper] {
         let pass = PhysicsPass::new(&blades, &start);
         for dt in [1e-5, 10.0, 0.016, f32::MAX, f32::INFINITY, f32::NAN] {
             pass.step(
-                &Surroundings { spheres: &spheres, ..calm(&wind, 0.016) },
+                &Surroundings { primitives: &spheres, ..calm(&wind, 0.016) },
                 &vec![dt; blades.len()],
                 model,
             );

@@ -60,7 +60,11 @@ fn grow_timed(
 /// What is not wrong with a scene but worth telling, on standard error: once it is known to be
 /// good, so that an error stands alone.
 fn tell_notes(scene: &Scene, quiet: bool) {
-    let notes = scene.notes.iter().filter(|_| !quiet);
+    scene.notes.iter().filter(|_| !quiet).for_each(|note| tell(note));
+}
+
+/// One line that is worth telling, on standard error.
+fn tell(note: &str) {
     // Nothing is left to do where standard error is closed.
-    notes.for_each(|note| drop(writeln!(std::io::stderr(), "note: {note}")));
+    drop(writeln!(std::io::stderr(), "note: {note}"));
 }

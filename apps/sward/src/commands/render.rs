@@ -1,12 +1,15 @@
 //! `sward render`: pictures and sequences.
 
-use super::{grow_timed, load, tell_notes};
+use super::{grow_timed, load, tell, tell_notes};
 use crate::args::{self, Frames, Size};
 use crate::output::{Output, write_picture};
 use crate::progress;
+use crate::states::States;
 use crate::table::thousands;
-use anyhow::{Result, bail};
+use crate::video::Video;
+use anyhow::{Context, Result};
 use std::io::Write;
+use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 use sward::PhysicsModel;
@@ -20,6 +23,8 @@ Examples:
   sward render scenes/meadow.ron -o meadow.png
   sward render scenes/meadow.ron -o big.png --size 3840x2160 --time 2.5
   sward render scenes/meadow.ron -o f/%04d.png --frames 0..120 --fps 30
+  sward render scenes/balls.ron -o balls.mp4 --frames 0..240
+  sward render scenes/balls.ron -o f/%04d.png --frames 0..240 --state-every 60
   sward render scenes/meadow.ron -o truth.png --reference";
 
 /// Render a scene to a picture, or to a sequence of them
@@ -28,7 +33,8 @@ Examples:
 pub struct Args {
     /// Scene file (RON)
     scene: PathBuf,
-    /// Picture to write: FILE.png, or f/%04d.png, where %04d is the frame's own number
+    /// Picture to write: FILE.png, or f/%04d.png, where %04d is the frame's own number; or a film,
+    /// FILE.mp4 or FILE.gif, by the ffmpeg on the PATH
     #[arg(long, short)]
     output: PathBuf,
     /// Size in pixels
@@ -37,9 +43,16 @@ pub struct Args {
     /// Samples a pixel [default: 4 where the adapter has it]
     #[arg(long, value_name = "N")]
     samples: Option<u32>,
-    /// Frames A to B - 1; each shows what a run from frame 0 would
+    /// Frames A to B - 1; each shows, to the bit, what a run from frame 0 would
     #[arg(long, value_name = "A..B", conflicts_with = "time")]
     frames: Option<Frames>,
+    /// Saves the simulation's state every N frames; a later run starts from the newest that fits,
+    /// in place of frame 0
+    #[arg(long, value_name = "N", requires = "frames", value_parser = clap::value_parser!(u32).range(1..))]
+    state_every: Option<u32>,
+    /// Folder of the saved states [default: the output's]
+    #[arg(long, value_name = "FOLDER", requires = "frames")]
+    states: Option<PathBuf>,
     /// Frames a second [default: the scene's, else 30]
     #[arg(long, value_parser = args::fps)]
     fps: Option<f64>,
@@ -86,17 +99,14 @@ pub enum CullingChoice {
 /// Writes the pictures.
 pub fn run(args: Args, quiet: bool) -> Result<()> {
     let output = Output::parse(&args.output)?;
-    if args.frames.as_ref().is_some_and(|f| f.0.len() > 1) && !output.is_sequence() {
-        let shown = args.output.display();
-        bail!("-o {shown}: several frames need a number in the name, such as f/%04d.png");
-    }
-    if args.frames.is_none() && output.is_sequence() {
-        bail!("-o {}: a name with a number needs --frames A..B", args.output.display());
-    }
+    output.check_frames(args.frames.as_ref().map(|frames| frames.0.len()))?;
     let scene = load(&args.scene)?;
     let gpu = Gpu::headless()?;
     let options = options(&args, &scene, &gpu)?;
     output.prepare()?;
+    let clock = Clock::new(args.fps.unwrap_or_else(|| f64::from(scene.fps)));
+    let mut sink = Sink::open(output, args.size.0, clock.fps())?;
+    let states = run_states(&args, &scene, &gpu, &options, clock)?;
     let (fields, grow_s) = grow_timed(&scene, &gpu, Default::default(), quiet)?;
     let blades = blade_count(&fields);
     let samples = if options.reference { 64 } else { options.samples };
@@ -104,20 +114,28 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     let mut stage = Stage::new(&gpu, &scene, &fields, options)?;
     drop(fields);
     tell_notes(&scene, quiet);
-    let clock = Clock::new(args.fps.unwrap_or_else(|| f64::from(scene.fps)));
-    match &args.frames {
-        None => {
-            render_single(&mut stage, clock, args.time, &output, quiet)?;
-        }
-        Some(frames) => render_frames(&mut stage, clock, &frames.0, &output, quiet)?,
+    if let Some(note) = sink.note().filter(|_| !quiet) {
+        tell(&note);
     }
+    let mut from = String::new();
+    match &args.frames {
+        None => render_single(&mut stage, clock, args.time, &mut sink, quiet)?,
+        Some(frames) => {
+            let mut run = FrameRun { stage: &mut stage, clock, states: states.as_ref(), quiet };
+            let first = run.render(&frames.0, args.state_every, &mut sink)?;
+            if first > 0 {
+                from = format!("; started from the state of frame {first}");
+            }
+        }
+    }
+    sink.finish()?;
     if !quiet {
         let render_s = start.elapsed().as_secs_f64();
         let Size([width, height]) = args.size;
         writeln!(
             std::io::stdout(),
             "{}: {width} x {height}, {samples} samples, {} blades; grown in {grow_s:.1} s, \
-             rendered in {render_s:.1} s",
+             rendered in {render_s:.1} s{from}",
             what(&args),
             thousands(blades),
         )?;
@@ -156,11 +174,70 @@ fn options(args: &Args, scene: &Scene, gpu: &Gpu) -> Result<StageOptions> {
     Ok(options)
 }
 
+/// Where frames go.
+enum Sink {
+    Pictures(Output),
+    Film(Box<Video>),
+}
+
+impl Sink {
+    fn open(output: Output, size: [u32; 2], fps: f64) -> Result<Self> {
+        match &output {
+            Output::Video(path, format) => {
+                Ok(Self::Film(Box::new(Video::start(path, *format, size, fps)?)))
+            }
+            _ => Ok(Self::Pictures(output)),
+        }
+    }
+
+    fn note(&self) -> Option<String> {
+        match self {
+            Self::Pictures(_) => None,
+            Self::Film(film) => film.note(),
+        }
+    }
+
+    fn add(&mut self, frame: u32, picture: &image::RgbImage) -> Result<()> {
+        match self {
+            Self::Pictures(output) => write_picture(&output.file(frame), picture),
+            Self::Film(film) => film.add(picture),
+        }
+    }
+
+    fn finish(self) -> Result<()> {
+        match self {
+            Self::Pictures(_) => Ok(()),
+            Self::Film(film) => film.finish(),
+        }
+    }
+}
+
+/// The saved states of a run of frames; its folder is made where there will be some.
+fn run_states(
+    args: &Args,
+    scene: &Scene,
+    gpu: &Gpu,
+    options: &StageOptions,
+    clock: Clock,
+) -> Result<Option<States>> {
+    if args.frames.is_none() {
+        return Ok(None);
+    }
+    let beside = args.output.parent().map(Into::into).unwrap_or_default();
+    let folder: PathBuf = args.states.clone().unwrap_or(beside);
+    if args.state_every.is_some() {
+        let shown = folder.display();
+        std::fs::create_dir_all(&folder)
+            .with_context(|| format!("--states {shown}: cannot make the folder"))?;
+    }
+    Ok(Some(States::new(folder, scene, gpu, options, clock)))
+}
+
 fn render_single(
     stage: &mut Stage,
     clock: Clock,
     time_s: f64,
-    output: &Output,
+    sink: &mut Sink,
     quiet: bool,
 ) -> Result<()> {
     let bar = progress::bar(quiet, "rendering", clock.until(time_s).count() as u64 + 1);
@@ -169,26 +246,55 @@ fn render_single(
         stage.step(dt_s)?;
         bar.step();
     }
-    write_picture(&output.file(0), &stage.render()?)
+    sink.add(0, &stage.render()?)
 }
 
-fn render_frames(
-    stage: &mut Stage,
+/// A run of frames.
+struct FrameRun<'a> {
+    stage: &'a mut Stage,
     clock: Clock,
-    frames: &std::ops::Range<u32>,
-    output: &Output,
+    states: Option<&'a States>,
     quiet: bool,
-) -> Result<()> {
-    let bar = progress::bar(quiet, "frames", u64::from(frames.end));
-    stage.warm_up()?;
-    for frame in 0..frames.end {
-        if frame > 0 {
-            clock.frame().try_for_each(|dt_s| stage.step(dt_s))?;
+}
+
+impl FrameRun<'_> {
+    /// Draws; says from which frame on was simulated.
+    fn render(&mut self, frames: &Range<u32>, every: Option<u32>, sink: &mut Sink) -> Result<u32> {
+        let first = self.start(frames.start)?;
+        let bar = progress::bar(self.quiet, "frames", u64::from(frames.end - first));
+        for frame in first..frames.end {
+            if frame > 0 {
+                // The one that it started from is there
+                let due = every.is_some_and(|n| frame.is_multiple_of(n)) && frame > first;
+                if let Some(states) = self.states.filter(|_| due) {
+                    states.save(frame, &self.stage.save_state()?)?;
+                }
+                self.clock.frame().try_for_each(|dt_s| self.stage.step(dt_s))?;
+            }
+            if frames.contains(&frame) {
+                sink.add(frame, &self.stage.render()?)?;
+            }
+            bar.step();
         }
-        if frames.contains(&frame) {
-            write_picture(&output.file(frame), &stage.render()?)?;
-        }
-        bar.step();
+        Ok(first)
     }
-    Ok(())
+
+    /// Makes ready for the steps of a frame at or before the one that is wanted; says which.
+    fn start(&mut self, wanted: u32) -> Result<u32> {
+        if let Some(states) = self.states.filter(|_| wanted > 0) {
+            let (clock, stage) = (self.clock, &mut *self.stage);
+            let (first, refusal) = states.newest(wanted, |found| {
+                let steps = (1..found.frame).flat_map(|_| clock.frame());
+                stage.resume(&found.state, steps)
+            });
+            if let Some(refusal) = refusal.filter(|_| !self.quiet) {
+                tell(&refusal);
+            }
+            if let Some(first) = first {
+                return Ok(first);
+            }
+        }
+        self.stage.warm_up()?;
+        Ok(0)
+    }
 }

@@ -61,7 +61,8 @@ pub struct Report {
     pub blades_culled: Culled,
     pub blades_dropped: u64,
     pub spheres_tested: u64,
-    pub spheres_dropped: u64,
+    #[serde(default)]
+    pub patches_crowded: u64,
     pub vertices: u64,
     pub ms: Milliseconds,
     /// How the times were taken.
@@ -113,7 +114,7 @@ impl Report {
             },
             blades_dropped: counted.dropped,
             spheres_tested: counted.spheres_tested,
-            spheres_dropped: counted.spheres_dropped,
+            patches_crowded: counted.patches_crowded,
             vertices: counted.vertices,
             ms: Milliseconds {
                 frame: Percentiles::of(&times.frame),

@@ -17,6 +17,11 @@ impl Clock {
         Self { steps_per_frame, step_s: 1.0 / (fps * f64::from(steps_per_frame)) }
     }
 
+    /// Frames a second.
+    pub fn fps(self) -> f64 {
+        (self.step_s * f64::from(self.steps_per_frame)).recip()
+    }
+
     /// Steps of one frame.
     pub fn frame(self) -> impl Iterator<Item = f64> {
         std::iter::repeat_n(self.step_s, self.steps_per_frame as usize)

@@ -8,10 +8,11 @@ mod frame;
 mod fullscreen;
 mod meshes;
 mod movers;
-mod options;
 mod opaque;
+mod options;
 mod passes;
 mod readback;
+mod resume;
 mod shapes;
 mod targets;
 mod texture;
@@ -26,10 +27,10 @@ use glam::Vec2;
 use image::RgbImage;
 use movers::Movers;
 use opaque::Opaque;
+use options::view;
 use passes::{Accumulator, Passes};
 use sward::{Field, Frame, Light, Renderer, Statistics, Wind};
 use sward_scene::{Scene, SceneWind};
-use options::view;
 use targets::Targets;
 
 /// Renders a side that a reference adds up: 8 x 8 places inside a pixel, one sample each.
@@ -112,10 +113,9 @@ impl Stage {
     /// # Errors
     /// Where the device fails.
     pub fn warm_up(&mut self) -> Result<()> {
-        let steps = (self.warm_up_s * 60.0).ceil() as u32;
-        for _ in 0..steps {
+        for dt_s in self.warm_up_steps() {
             let mut encoder = self.encoder();
-            self.encode_simulate(&mut encoder, self.warm_up_s / f64::from(steps))?;
+            self.encode_simulate(&mut encoder, dt_s)?;
             self.submit(encoder);
             self.gpu.wait()?;
         }
@@ -186,11 +186,8 @@ impl Stage {
     /// # Errors
     /// Where wind or spheres are more than fit, or not finite.
     pub fn encode_simulate(&mut self, encoder: &mut wgpu::CommandEncoder, dt_s: f64) -> Result<()> {
-        self.time_s += dt_s;
+        self.follow(dt_s);
         let time_s = self.time_s as f32;
-        self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(time_s)).collect();
-        self.wind.advance(dt_s);
-        self.movers.advance(self.time_s);
         if self.opaque.place(&self.gpu.queue, self.movers.placements(time_s)) {
             self.depth_is_opaque = false;
         }
@@ -207,6 +204,15 @@ impl Stage {
             physics: self.options.physics,
         };
         Ok(self.renderer.simulate(&self.gpu.device, encoder, &frame)?)
+    }
+
+    /// What moves by itself, without the grass: time, wind, things and bodies.
+    fn follow(&mut self, dt_s: f64) {
+        self.time_s += dt_s;
+        let time_s = self.time_s as f32;
+        self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(time_s)).collect();
+        self.wind.advance(dt_s);
+        self.movers.advance(self.time_s);
     }
 
     /// Records the depth of the opaque things, unless it is there already.

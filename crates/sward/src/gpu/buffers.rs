@@ -45,6 +45,17 @@ pub fn write(
     target: &wgpu::Buffer,
     content: &[u8],
 ) {
+    write_at(device, encoder, target, 0, content);
+}
+
+/// [`write()`] from an offset on.
+pub fn write_at(
+    device: &wgpu::Device,
+    encoder: &mut wgpu::CommandEncoder,
+    target: &wgpu::Buffer,
+    offset: u64,
+    content: &[u8],
+) {
     if content.is_empty() {
         return;
     }
@@ -53,5 +64,5 @@ pub fn write(
         contents: content,
         usage: BufferUsages::COPY_SRC,
     });
-    encoder.copy_buffer_to_buffer(&source, 0, target, 0, content.len() as u64);
+    encoder.copy_buffer_to_buffer(&source, 0, target, offset, content.len() as u64);
 }

@@ -20,7 +20,7 @@
 //!
 //! # What else grows with the blades
 //! Per blade 4 bytes of draw list and 2 of decisions; per 64 blades 48 bytes of clocks, counts and
-//! offsets; per patch its box (48), its near spheres (128) and work entry (8).
+//! offsets; per patch its box (48), its list of near colliders (128) and work entry (8).
 
 use bytemuck::{Pod, Zeroable};
 
@@ -30,8 +30,15 @@ pub const BAND: u32 = 64;
 pub const BLOCK: u32 = 256;
 /// Draw lists: four levels, pointed and flat-tipped.
 pub const BUCKETS: usize = 8;
-/// Words of a patch's list of near spheres: a count and up to 31 indices.
+/// Words of a patch's list of near colliders: 2, and 3 for each of up to [`NEAR_SLOTS`] chunks.
 pub const NEAR_STRIDE: u32 = 32;
+/// Most chunks of primitives in a patch's list.
+#[cfg(test)]
+pub const NEAR_SLOTS: u32 = 10;
+/// Primitives of one chunk.
+pub const CHUNK: usize = 64;
+/// Entries of a chunk: its box, then its primitives.
+pub const CHUNK_STRIDE: usize = CHUNK + 1;
 /// Most blades of a page: the draw list has 22 bits for a blade's index.
 pub const PAGE_BLADES: u64 = 1 << 22;
 /// Most pages of a field.
@@ -59,9 +66,13 @@ pub struct GpuFrame {
     pub crush_decay: f32,
     pub physics_model: u32,
     pub wind_count: u32,
-    pub sphere_count: u32,
+    pub chunk_count: u32,
     pub step: u32,
     pub ticks: u32,
+    pub resting_chunks: u32,
+    pub keep_resting: u32,
+    pub reserved_a: u32,
+    pub reserved_b: u32,
 }
 
 /// `GpuField` of field.wgsl.

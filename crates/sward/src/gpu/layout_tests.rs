@@ -4,6 +4,7 @@ use super::layout::*;
 use super::quantize::SEGMENTS;
 use super::shaders::Shader;
 use super::view;
+use crate::frame::collide::primitive::{self, GpuPrimitive};
 use crate::frame::debug::{CORNER_STRIDE, GpuDebug};
 use crate::frame::draw::topology::BLADES_PER_INSTANCE;
 use crate::frame::wind::GpuWindSource;
@@ -40,10 +41,15 @@ fn structs() -> Vec<Expected> {
             crush_decay,
             physics_model,
             wind_count,
-            sphere_count,
+            chunk_count,
             step,
             ticks,
+            resting_chunks,
+            keep_resting,
+            reserved_a,
+            reserved_b,
         }),
+        expected!(GpuPrimitive { a, b }),
         expected!(GpuWindSource {
             kind,
             seed,
@@ -160,6 +166,11 @@ fn constants_agree_with_the_shaders() {
         ("BUCKETS", BUCKETS as u32),
         ("BLOCK", BLOCK),
         ("NEAR_STRIDE", NEAR_STRIDE),
+        ("NEAR_SLOTS", NEAR_SLOTS),
+        ("CHUNK_STRIDE", CHUNK_STRIDE as u32),
+        ("CAPSULE", primitive::CAPSULE),
+        ("SWEPT", primitive::SWEPT),
+        ("CUBOID", primitive::CUBOID),
         ("CULL_FRUSTUM", view::FRUSTUM),
         ("CULL_DISTANCE", view::DISTANCE),
         ("CULL_ORIENTATION", view::ORIENTATION),

@@ -2,10 +2,12 @@
 
 pub mod bindings;
 pub mod buffers;
+pub mod fingerprint;
 pub mod layout;
 pub mod limits;
 pub mod page;
 pub mod quantize;
+pub mod read;
 pub mod shaders;
 pub mod statistics;
 pub mod view;

@@ -2,6 +2,7 @@
 
 use super::bindings;
 use super::buffers::{filled, storage, uniform, write};
+use super::fingerprint;
 use super::layout::{
     BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuPatch, GpuSpecies, GpuView,
     MAX_SPECIES, NEAR_STRIDE, TICKS_PER_SECOND,
@@ -55,6 +56,8 @@ pub struct ViewLists {
 pub struct Page {
     /// Counts.
     pub field: GpuField,
+    /// Of everything that does not change.
+    pub fingerprint: u64,
     /// Whether a species has a pointed, or a flat tip.
     pub topologies: [bool; 2],
     /// Which pipelines draw it.
@@ -66,7 +69,7 @@ pub struct Page {
     pub dynamics: wgpu::Buffer,
     /// `GpuBand` by 64 blades.
     pub bands: wgpu::Buffer,
-    /// Spheres near each patch: a count, then indices.
+    /// Chunks of colliders near each patch.
     pub near: wgpu::Buffer,
     /// Patches at work, and how many of their blades.
     pub work: wgpu::Buffer,
@@ -110,6 +113,18 @@ struct Packed {
     /// A colour a blade; one that is never read where the field has none.
     tints: Vec<u32>,
     patches: Vec<GpuPatch>,
+}
+
+impl Packed {
+    fn fingerprint(&self, species: &[GpuSpecies]) -> u64 {
+        let parts: [&[u8]; 4] = [
+            bytemuck::bytes_of(&self.field),
+            bytemuck::cast_slice(&self.blades),
+            bytemuck::cast_slice(&self.patches),
+            bytemuck::cast_slice(species),
+        ];
+        parts.into_iter().map(fingerprint::of).fold(0, fingerprint::fold)
+    }
 }
 
 /// Packs a run of patches.
@@ -166,6 +181,7 @@ impl Page {
         let block_count = band_count.div_ceil(u64::from(BLOCK));
         let data = |label, content: &[u8], usage| filled(device, label, content, usage);
         let store = |label, bytes| storage(device, label, bytes, BufferUsages::empty());
+        let fingerprint = packed.fingerprint(species);
         let field_uniform = data("sward.field", bytemuck::bytes_of(&counts), BufferUsages::UNIFORM);
         let species = data("sward.species", bytemuck::cast_slice(species), BufferUsages::UNIFORM);
         let blades =
@@ -191,6 +207,7 @@ impl Page {
             [&blades, &tints, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
         Self {
             field: counts,
+            fingerprint,
             topologies: topologies(field.species()),
             variant: Variant {
                 lobed: field.species().iter().any(|s| s.shape == Shape::Dandelion),
@@ -247,6 +264,12 @@ impl Page {
     /// Blocks of the scan.
     pub fn block_count(&self) -> u32 {
         (self.field.patch_count * (self.field.patch_size / BAND)).div_ceil(BLOCK)
+    }
+
+    /// The buffers that carry a simulation from one step to the next; all others are made anew in
+    /// each.
+    pub fn state(&self) -> [&wgpu::Buffer; 2] {
+        [&self.dynamics, &self.bands]
     }
 
     /// Bytes of everything that grows with the blades, without the draw lists.

@@ -18,6 +18,9 @@ const DRAWS: &str = part!("shared/draws.wgsl");
 const DEPTH_SINGLE: &str = part!("shared/depth_single.wgsl");
 const DEPTH_MULTISAMPLED: &str = part!("shared/depth_multisampled.wgsl");
 const WIND: &str = part!("frame/wind/wind.wgsl");
+const PRIMITIVE: &str = part!("frame/collide/primitive.wgsl");
+const NEAR: &str = part!("frame/collide/near.wgsl");
+const CUBOID: &str = part!("frame/collide/cuboid.wgsl");
 const WIND_PLACED: &str = part!("frame/wind/placed.wgsl");
 const CONTACT: &str = part!("frame/collide/contact.wgsl");
 const COLLIDE: &str = part!("frame/collide/collide.wgsl");
@@ -43,7 +46,7 @@ const DRAW: &str = part!("frame/draw/draw.wgsl");
 /// One shader module of the library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shader {
-    /// Spheres near each patch.
+    /// Colliders near each patch.
     Collide,
     /// Patches that a view sees.
     Cull,
@@ -69,7 +72,6 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    #[cfg(test)]
     pub const ALL: [Self; 11] = [
         Self::Collide,
         Self::Cull,
@@ -100,26 +102,15 @@ impl Shader {
 
     fn parts(self) -> Vec<&'static str> {
         let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW].as_slice();
-        let update = [
-            STATE,
-            BAND,
-            VIEW,
-            LEVEL,
-            WIND,
-            WIND_PLACED,
-            CONTACT,
-            PHYSICS,
-            PAPER,
-            TESTS,
-            DECIDE,
-            UPDATE,
-        ];
+        let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
+        let update =
+            [STATE, BAND, VIEW, LEVEL, WIND, WIND_PLACED, PHYSICS, PAPER, TESTS, DECIDE, UPDATE];
         let explain = [STATE, BAND, VIEW, LEVEL, TESTS, DECIDE, PATCH, EXPLAIN];
         let rest: &[&[&str]] = match self {
-            Self::Collide => &[&[COLLIDE]],
+            Self::Collide => &[&[PRIMITIVE, COLLIDE]],
             Self::Cull => &[&[BAND, VIEW, LEVEL, PATCH, CULL]],
-            Self::Update => &[&[DEPTH_SINGLE], &update],
-            Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &update],
+            Self::Update => &[&[DEPTH_SINGLE], &collide, &update],
+            Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &collide, &update],
             Self::Scan => &[&[BAND, DRAWS, VIEW, SCAN]],
             Self::Compact => &[&[BAND, VIEW, COMPACT]],
             Self::Draw => &[draw],
@@ -144,6 +135,12 @@ impl Shader {
             source: wgpu::ShaderSource::Wgsl(self.source().into()),
         })
     }
+}
+
+/// Stands for all source: what one release of the shaders saved, another does not go on from.
+pub fn fingerprint() -> u64 {
+    let of = |shader: &Shader| super::fingerprint::of(shader.source().as_bytes());
+    Shader::ALL.iter().map(of).fold(0, super::fingerprint::fold)
 }
 
 #[cfg(test)]

@@ -54,7 +54,7 @@ pub struct PageCounts<'a> {
     pub counted: &'a wgpu::Buffer,
     /// Draws.
     pub draws: &'a wgpu::Buffer,
-    /// Visible patches and their blades, spheres beyond a list.
+    /// Visible patches and their blades, patches with a full list.
     pub work_size: &'a wgpu::Buffer,
 }
 
@@ -171,7 +171,7 @@ fn sum_pages(words: &[u32], vertices: &[u32; BUCKETS]) -> Statistics {
         }
         sum.patches_visible += count(work[0]);
         sum.blades_visible += count(work[4]);
-        sum.spheres_dropped += count(work[5]);
+        sum.patches_crowded += count(work[5]);
     }
     sum
 }

@@ -12,6 +12,7 @@ mod packing;
 mod pages;
 mod quantized;
 mod rig;
+mod saved;
 mod scenes;
 mod tints;
 mod views;

@@ -3,6 +3,7 @@
 use super::decoded::{Decoded, decode, states};
 use super::rig::Rig;
 use super::scenes::{breeze, random_field, random_states, see_all, surroundings};
+use crate::frame::collide::primitive::Primitive;
 use crate::frame::physics::paper_twin;
 use crate::frame::physics::twin::{self, State, Surroundings};
 use crate::gpu::state_twin::{CRUSH_STEP, pack_state};
@@ -70,7 +71,8 @@ impl Run {
             });
             for (frame, wind) in frames.zip(&winds) {
                 let spheres = self.spheres(frame);
-                let around = surroundings(wind, &spheres, dt_s);
+                let primitives: Vec<_> = spheres.into_iter().map(Primitive::from).collect();
+                let around = surroundings(wind, &primitives, dt_s);
                 for (blade, state) in blades.iter().zip(&mut cpu) {
                     *state = advance(self.model, &blade.physics, *state, dt_s, &around);
                 }

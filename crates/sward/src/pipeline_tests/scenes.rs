@@ -1,14 +1,15 @@
 //! Random fields and cameras from a seed.
 
 use super::decoded::Decoded;
+use crate::frame::collide::primitive::Primitive;
 use crate::frame::physics::twin::{State, Surroundings};
 use crate::gpu::state_twin::pack_state;
 use crate::grow::Blade;
 use crate::shared::curve_twin::project_tip;
 use crate::shared::noise_twin::hash01;
 use crate::{
-    BladeOrder, Culling, Field, Gravity, Gusts, Metric, PhysicsModel, Range, Shape, Species,
-    Sphere, View, Waves, Wind, WindSource,
+    BladeOrder, Culling, Field, Gravity, Gusts, Metric, PhysicsModel, Range, Shape, Species, View,
+    Waves, Wind, WindSource,
 };
 use glam::camera::rh::{
     proj::directx::{orthographic, perspective},
@@ -165,11 +166,11 @@ pub(super) fn breeze() -> Wind {
 
 pub(super) fn surroundings<'a>(
     wind: &'a Wind,
-    spheres: &'a [Sphere],
+    primitives: &'a [Primitive],
     dt_s: f32,
 ) -> Surroundings<'a> {
     let gravity = Gravity::default();
-    Surroundings { wind, gravity, spheres, crush_decay: 0.25, dt_s: dt_s.into() }
+    Surroundings { wind, gravity, primitives, crush_decay: 0.25, dt_s: dt_s.into() }
 }
 
 pub(super) fn is_sound(state: &State) -> bool {

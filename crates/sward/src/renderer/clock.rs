@@ -1,6 +1,7 @@
 //! Simulated time.
 
 use crate::gpu::layout::TICKS_PER_SECOND;
+use bytemuck::{Pod, Zeroable};
 
 /// Longest step; a longer one is cut, as after a breakpoint or a closed lid.
 const LONGEST_STEP_S: f32 = 10.0;
@@ -11,6 +12,25 @@ pub(crate) struct Clock {
     time_s: f64,
     step: u32,
     dt_s: f32,
+}
+
+/// A clock in a saved state.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub(crate) struct SavedClock {
+    time_s: f64,
+    step: u32,
+    dt_s: f32,
+}
+
+impl SavedClock {
+    /// Whether a clock can have been so.
+    pub(crate) fn is_sound(&self) -> bool {
+        let step_s = f64::from(self.dt_s);
+        self.time_s.is_finite()
+            && self.time_s >= 0.0
+            && (0.0..=f64::from(LONGEST_STEP_S)).contains(&step_s)
+    }
 }
 
 impl Default for Clock {
@@ -27,6 +47,16 @@ impl Clock {
         self.time_s += f64::from(dt_s);
         self.step = self.step.wrapping_add(1);
         self.dt_s = dt_s;
+    }
+
+    /// For a saved state.
+    pub(crate) fn saved(&self) -> SavedClock {
+        SavedClock { time_s: self.time_s, step: self.step, dt_s: self.dt_s }
+    }
+
+    /// From a saved state that is sound.
+    pub(crate) fn restore(&mut self, SavedClock { time_s, step, dt_s }: SavedClock) {
+        *self = Self { time_s, step, dt_s };
     }
 
     /// Seconds that the step takes.

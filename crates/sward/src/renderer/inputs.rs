@@ -2,29 +2,25 @@
 
 use super::clock::Clock;
 use super::layouts::Layouts;
+use crate::frame::collide::expand::{Expanded, expand};
+use crate::frame::collide::upload::{self, ChunkBuffer, ChunkCounts};
 use crate::frame::wind::GpuWindSource;
 use crate::gpu::layout::{GpuFrame, MAX_WIND_SOURCES};
 use crate::gpu::{bindings, buffers};
-use crate::{Collider, Error, Frame, Gravity, Light, PhysicsModel};
+use crate::{Error, Frame, Gravity, Light, PhysicsModel};
 use glam::Vec3;
-use wgpu::BufferUsages;
 
 /// Crush lost a second without contact: a crushed blade stands again after about 7 s.
 const CRUSH_DECAY: f32 = 0.25;
-const FIRST_SPHERES: usize = 64;
 
-/// The frame's uniform, wind sources and spheres.
+/// The frame's uniform, wind sources and colliders.
 #[derive(Debug)]
 pub(crate) struct Inputs {
     frame: wgpu::Buffer,
     wind: wgpu::Buffer,
-    spheres: wgpu::Buffer,
+    chunks: ChunkBuffer,
     group: wgpu::BindGroup,
     draw_group: wgpu::BindGroup,
-}
-
-fn sphere_buffer(device: &wgpu::Device, count: usize) -> wgpu::Buffer {
-    buffers::storage(device, "sward.spheres", count as u64 * 16, BufferUsages::empty())
 }
 
 fn compute_group(
@@ -32,9 +28,9 @@ fn compute_group(
     layouts: &Layouts,
     frame: &wgpu::Buffer,
     wind: &wgpu::Buffer,
-    spheres: &wgpu::Buffer,
+    primitives: &wgpu::Buffer,
 ) -> wgpu::BindGroup {
-    bindings::buffers(device, "sward.frame", &layouts.frame, &[frame, wind, spheres])
+    bindings::buffers(device, "sward.frame", &layouts.frame, &[frame, wind, primitives])
 }
 
 fn check_gravity(gravity: &Gravity) -> Result<(), Error> {
@@ -57,26 +53,16 @@ fn check_light(light: &Light) -> Result<(), Error> {
     Err(Error::setting("light", "must be finite, and haze_per_m not below 0"))
 }
 
-/// Colliders that can touch anything, as the shaders read them.
-fn gpu_spheres(colliders: &[Collider]) -> Vec<[f32; 4]> {
-    colliders
-        .iter()
-        .flat_map(crate::frame::collide::spheres::inside)
-        .filter(|s| s.center.is_finite() && s.radius.is_finite() && s.radius > 0.0)
-        .map(|s| s.center.extend(s.radius).to_array())
-        .collect()
-}
-
 impl Inputs {
     pub(crate) fn new(device: &wgpu::Device, layouts: &Layouts) -> Self {
         let frame = buffers::uniform(device, "sward.frame", size_of::<GpuFrame>() as u64);
         let wind_bytes = (MAX_WIND_SOURCES * size_of::<GpuWindSource>()) as u64;
         let wind = buffers::uniform(device, "sward.wind", wind_bytes);
-        let spheres = sphere_buffer(device, FIRST_SPHERES);
-        let group = compute_group(device, layouts, &frame, &wind, &spheres);
+        let chunks = ChunkBuffer::new(device);
+        let group = compute_group(device, layouts, &frame, &wind, chunks.buffer());
         let draw_group =
             bindings::buffers(device, "sward.draw_frame", &layouts.draw_frame, &[&frame]);
-        Self { frame, wind, spheres, group, draw_group }
+        Self { frame, wind, chunks, group, draw_group }
     }
 
     /// Group 0 of the compute stages.
@@ -94,49 +80,53 @@ impl Inputs {
         &self.draw_group
     }
 
-    /// Writes a step's inputs, which [`check`] let pass.
+    /// Some patches are new: all are listed anew in the next step.
+    pub(crate) fn forget_lists(&mut self) {
+        self.chunks.forget_lists();
+    }
+
+    /// The lists of the patches are of another time.
+    pub(crate) fn make_lists_anew(&mut self) {
+        self.chunks.make_lists_anew();
+    }
+
+    /// Writes a step's inputs, which [`check`] let pass; says what colliders there are.
     pub(crate) fn write(
         &mut self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         layouts: &Layouts,
         frame: &Frame,
-        Lists { wind, spheres }: &Lists,
+        Lists { wind, expanded }: &Lists,
         clock: &Clock,
-    ) {
-        if spheres.len() as u64 * 16 > self.spheres.size() {
-            self.spheres =
-                sphere_buffer(device, spheres.len().next_power_of_two().min(sphere_room(device)));
-            self.group = compute_group(device, layouts, &self.frame, &self.wind, &self.spheres);
+    ) -> ChunkCounts {
+        let (counts, is_other) = self.chunks.write(device, encoder, expanded);
+        if is_other {
+            let primitives = self.chunks.buffer();
+            self.group = compute_group(device, layouts, &self.frame, &self.wind, primitives);
         }
-        let uniform = gpu_frame(frame, clock, wind.len(), spheres.len());
+        let uniform = gpu_frame(frame, clock, wind.len(), counts);
         buffers::write(device, encoder, &self.frame, bytemuck::bytes_of(&uniform));
         buffers::write(device, encoder, &self.wind, bytemuck::cast_slice(wind));
-        buffers::write(device, encoder, &self.spheres, bytemuck::cast_slice(spheres));
+        counts
     }
-}
-
-/// Most spheres that one binding holds.
-fn sphere_room(device: &wgpu::Device) -> usize {
-    (device.limits().max_storage_buffer_binding_size / 16) as usize
 }
 
 /// What a step brings in lists.
 pub(crate) struct Lists {
     wind: Vec<GpuWindSource>,
-    /// Centre and radius.
-    pub(crate) spheres: Vec<[f32; 4]>,
+    expanded: Expanded,
 }
 
 /// Checks a step's inputs, before anything is changed.
 pub(crate) fn check(device: &wgpu::Device, frame: &Frame) -> Result<Lists, Error> {
     check_gravity(&frame.gravity)?;
     check_light(&frame.light)?;
-    let (wind, spheres) = (frame.wind.gpu_sources(), gpu_spheres(frame.colliders));
+    let wind = frame.wind.gpu_sources();
     at_most("wind", "sward's 64 wind sources", wind.len(), MAX_WIND_SOURCES)?;
-    let room = sphere_room(device);
-    at_most("spheres", "max_storage_buffer_binding_size / 16", spheres.len(), room)?;
-    Ok(Lists { wind, spheres })
+    let expanded = expand(frame.colliders, frame.physics);
+    upload::check(&device.limits(), &expanded)?;
+    Ok(Lists { wind, expanded })
 }
 
 fn at_most(what: &str, limit: &'static str, asked: usize, available: usize) -> Result<(), Error> {
@@ -152,7 +142,7 @@ fn at_most(what: &str, limit: &'static str, asked: usize, available: usize) -> R
     })
 }
 
-fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, spheres: usize) -> GpuFrame {
+fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, chunks: ChunkCounts) -> GpuFrame {
     let with = |v: Vec3, w: f32| v.extend(w).to_array();
     let (gravity, light) = (&frame.gravity, &frame.light);
     GpuFrame {
@@ -171,8 +161,12 @@ fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, spheres: usize) -> GpuFr
             PhysicsModel::Paper => 1,
         },
         wind_count: wind as u32,
-        sphere_count: spheres as u32,
+        chunk_count: chunks.all,
         step: clock.step(),
         ticks: clock.ticks(),
+        resting_chunks: chunks.resting,
+        keep_resting: chunks.keep_resting.into(),
+        reserved_a: 0,
+        reserved_b: 0,
     }
 }

@@ -8,7 +8,7 @@ struct GpuBand {
     culled: vec2<u32>,
     // Survivors by bucket, two a word; after the scan, their offset in the block of 256 bands
     counts: vec4<u32>,
-    // Sphere tests made
+    // Tests against primitives made
     tested: u32,
     reserved_a: u32,
     reserved_b: u32,
@@ -21,6 +21,7 @@ const BLOCK: u32 = 256u;
 struct GpuBlock {
     // Survivors by bucket; after scan_totals, the place of the block's first one in the list
     buckets: array<u32, 8>,
-    // Failed tests: orientation, frustum, distance, occlusion; sphere tests; blades moved; 2 unused
+    // Failed tests: orientation, frustum, distance, occlusion; tests against primitives; blades
+    // moved; 2 unused
     counted: array<u32, 8>,
 }

@@ -47,8 +47,9 @@ struct GpuSpecies {
 
 const BAND: u32 = 64u;
 const BUCKETS: u32 = 8u;
-// Words of a patch's list of near spheres: a count and up to 31 indices
+// Words of a patch's list of near colliders: 2, and 3 for each of up to 10 chunks
 const NEAR_STRIDE: u32 = 32u;
+const NEAR_SLOTS: u32 = 10u;
 
 fn bands_per_patch() -> u32 {
     return field.patch_size / BAND;

@@ -22,12 +22,28 @@ struct GpuFrame {
     // 0 sward, 1 paper
     physics_model: u32,
     wind_count: u32,
-    sphere_count: u32,
+    // Chunks of 64 primitives, those that rest first
+    chunk_count: u32,
     // Number of this step
     step: u32,
     // Time of this step in 1/16384 s, wrapping
     ticks: u32,
+    // Of them, those that rest
+    resting_chunks: u32,
+    // Not 0 where those that rest are as they were, and patches keep what they know of them
+    keep_resting: u32,
+    reserved_a: u32,
+    reserved_b: u32,
 }
+
+// Part of a collider, or the box of a chunk: see collide/primitive.rs and collide/chunks.rs.
+struct GpuPrimitive {
+    a: vec4<u32>,
+    b: vec4<u32>,
+}
+
+// Entries of a chunk: its box, then up to 64 primitives
+const CHUNK_STRIDE: u32 = 65u;
 
 struct GpuWindSource {
     // 0 waves, 1 gusts, 2 cosine, 3 rotor, 4 vortex, 5 fan
@@ -68,4 +84,4 @@ struct GpuWindSource {
 
 @group(0) @binding(0) var<uniform> frame: GpuFrame;
 @group(0) @binding(1) var<uniform> wind_sources: array<GpuWindSource, 64>;
-@group(0) @binding(2) var<storage, read> spheres: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read> primitives: array<GpuPrimitive>;

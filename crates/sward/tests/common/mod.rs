@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test binary uses a part")]
 
 use glam::{DVec3, Vec2, Vec3, dvec3};
+use sward::frame::collide::primitive::Primitive;
 use sward::frame::physics::twin::{Blade, State, Surroundings};
 use sward::shared::noise_twin::hash01;
 use sward::{Gravity, Gusts, Sphere, Waves, Wind, WindSource};
@@ -75,7 +76,7 @@ pub fn gusty_wind() -> Wind {
 
 /// Gravity as a field has it by default, and nothing else.
 pub fn calm(wind: &Wind, dt_s: f64) -> Surroundings<'_> {
-    Surroundings { wind, gravity: Gravity::default(), spheres: &[], crush_decay: 0.25, dt_s }
+    Surroundings { wind, gravity: Gravity::default(), primitives: &[], crush_decay: 0.25, dt_s }
 }
 
 /// An upright blade at rest.
@@ -84,11 +85,11 @@ pub fn upright(blade: &Blade) -> State {
 }
 
 /// Balls round `blade`, in reach of it or nearly.
-pub fn balls_near(draws: &mut Draws, blade: &Blade, count: usize) -> Vec<Sphere> {
+pub fn balls_near(draws: &mut Draws, blade: &Blade, count: usize) -> Vec<Primitive> {
     let mut ball = |_| {
         let away = draws.unit() * f64::from(draws.between(0.0, 1.5)) * blade.height;
         let center = (blade.root + blade.up * 0.4 * blade.height + away).as_vec3();
-        Sphere { center, radius: draws.between(0.05, 0.9) * blade.height as f32 }
+        Sphere { center, radius: draws.between(0.05, 0.9) * blade.height as f32 }.into()
     };
     (0..count).map(&mut ball).collect()
 }
@@ -107,7 +108,8 @@ pub fn device() -> (wgpu::Device, wgpu::Queue) {
         .expect("the adapter gives a device with default limits")
 }
 
-/// A large sphere rolling by: its centre at a time.
-pub fn rolling(start: Vec3, velocity: Vec3, radius: f32, time_s: f64) -> Sphere {
-    Sphere { center: start + velocity * time_s as f32, radius }
+/// A ball rolling by: its way in the step of `dt_s` that ends at a time.
+pub fn rolling(start: Vec3, velocity: Vec3, radius: f32, time_s: f64, dt_s: f64) -> Primitive {
+    let at = |time_s: f64| start + velocity * time_s as f32;
+    Primitive::Swept { from: at(time_s - dt_s), to: at(time_s), radius }
 }

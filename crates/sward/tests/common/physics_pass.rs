@@ -3,6 +3,7 @@
 use crate::device;
 use bytemuck::{Pod, Zeroable};
 use sward::Wind;
+use sward::frame::collide::primitive::GpuPrimitive;
 use sward::frame::physics::twin::{Blade, State, Surroundings};
 use wgpu::util::DeviceExt;
 
@@ -12,6 +13,8 @@ const SHADER: &str = concat!(
     include_str!("../../src/shared/blade.wgsl"),
     include_str!("../../src/shared/curve.wgsl"),
     include_str!("../../src/frame/wind/wind.wgsl"),
+    include_str!("../../src/frame/collide/primitive.wgsl"),
+    include_str!("../../src/frame/collide/cuboid.wgsl"),
     include_str!("../../src/frame/wind/placed.wgsl"),
     include_str!("../../src/frame/collide/contact.wgsl"),
     include_str!("../../src/frame/physics/physics.wgsl"),
@@ -30,9 +33,10 @@ struct GpuFrame {
     crush_decay: f32,
     physics_model: u32,
     wind_count: u32,
-    sphere_count: u32,
+    chunk_count: u32,
     step: u32,
     ticks: u32,
+    unused: [u32; 4],
 }
 
 #[repr(C)]
@@ -116,21 +120,20 @@ impl PhysicsPass {
         }
     }
 
-    /// Advances every blade by its gap. `around.spheres` holds as many spheres for each blade.
+    /// Advances every blade by its gap. `around.primitives` holds as many for each blade.
     pub fn step(&self, around: &Surroundings, gaps_s: &[f32], model: Model) {
         let storage = wgpu::BufferUsages::STORAGE;
         let mut wind = around.wind.gpu_sources();
         let frame = self.frame(around, wind.len(), model);
         wind.resize(Wind::MAX_SOURCES, Zeroable::zeroed());
-        let mut spheres: Vec<[f32; 4]> =
-            around.spheres.iter().map(|s| s.center.extend(s.radius).to_array()).collect();
-        spheres.resize(spheres.len().max(1), [0.0; 4]);
+        let mut primitives: Vec<_> = around.primitives.iter().map(GpuPrimitive::from).collect();
+        primitives.resize(primitives.len().max(1), Zeroable::zeroed());
         let bytes = bytemuck::bytes_of(&frame);
         let frame = buffer(&self.device, bytes, wgpu::BufferUsages::UNIFORM);
         let wind = buffer(&self.device, bytemuck::cast_slice(&wind), wgpu::BufferUsages::UNIFORM);
-        let spheres = buffer(&self.device, bytemuck::cast_slice(&spheres), storage);
+        let primitives = buffer(&self.device, bytemuck::cast_slice(&primitives), storage);
         let gaps = buffer(&self.device, bytemuck::cast_slice(gaps_s), storage);
-        let group0 = self.group(0, &[&frame, &wind, &spheres]);
+        let group0 = self.group(0, &[&frame, &wind, &primitives]);
         let group1 = self.group(1, &[&self.blades, &self.states, &gaps]);
         let mut encoder = self.device.create_command_encoder(&Default::default());
         {
@@ -154,9 +157,10 @@ impl PhysicsPass {
             crush_decay: around.crush_decay as f32,
             physics_model: model as u32,
             wind_count: wind_count as u32,
-            sphere_count: (around.spheres.len() / self.count) as u32,
+            chunk_count: (around.primitives.len() / self.count) as u32,
             step: 0,
             ticks: 0,
+            unused: [0; 4],
         }
     }
 

@@ -4,8 +4,24 @@
 @group(1) @binding(1) var<storage, read_write> test_states: array<BladeState>;
 @group(1) @binding(2) var<storage, read> test_gaps: array<f32>;
 
-fn near_sphere(index: u32) -> vec4<f32> {
-    return spheres[index];
+const NO_PRIMITIVE: u32 = 0xffffffffu;
+
+// Each blade has as many primitives.
+struct Near {
+    next: u32,
+    end: u32,
+}
+
+fn near_begin(list: u32, center: vec3<f32>, radius: f32) -> Near {
+    return Near(list * frame.chunk_count, (list + 1u) * frame.chunk_count);
+}
+
+fn near_next(at: ptr<function, Near>) -> u32 {
+    if (*at).next >= (*at).end {
+        return NO_PRIMITIVE;
+    }
+    (*at).next++;
+    return (*at).next - 1u;
 }
 
 @compute @workgroup_size(64)
@@ -16,13 +32,12 @@ fn main(@builtin(global_invocation_id) thread: vec3<u32>) {
     }
     let blade = test_blades[i];
     let state = test_states[i];
-    let first = i * frame.sphere_count;
     switch frame.physics_model {
         case 0u: {
-            test_states[i] = advance_sward(blade, state, test_gaps[i], first, frame.sphere_count);
+            test_states[i] = advance_sward(blade, state, test_gaps[i], i);
         }
         case 1u: {
-            test_states[i] = advance_paper(blade, state, test_gaps[i], first, frame.sphere_count);
+            test_states[i] = advance_paper(blade, state, test_gaps[i], i);
         }
         default: {
             test_states[i] = BladeState(rest_tip(blade), 0.0);

@@ -81,7 +81,7 @@ fn counts(report: &Report, baseline: Option<&Report>) -> Table {
         ("culled by occlusion", |r| r.blades_culled.occlusion),
         ("dropped (list full)", |r| r.blades_dropped),
         ("spheres tested", |r| r.spheres_tested),
-        ("spheres dropped", |r| r.spheres_dropped),
+        ("patches crowded", |r| r.patches_crowded),
         ("vertices", |r| r.vertices),
         ("bytes on the GPU", |r| r.gpu_bytes),
     ];

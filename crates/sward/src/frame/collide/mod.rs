@@ -1,7 +1,12 @@
-//! Colliders: which spheres are near each patch, and which patches they wake.
+//! Colliders: taken apart into spheres, capsules and boxes, swept, ordered and cut into chunks on the
+//! CPU; on the GPU which of them are near each patch, and which patches they wake.
 
-pub(crate) mod spheres;
+pub(crate) mod chunks;
+pub(crate) mod cuboid_twin;
+pub(crate) mod expand;
+pub mod primitive;
 pub mod twin;
+pub(crate) mod upload;
 
 use crate::gpu::bindings::compute;
 use crate::gpu::layout::BAND;

@@ -5,7 +5,7 @@
 @group(2) @binding(2) var<storage, read> dynamics: array<vec2<u32>>;
 @group(2) @binding(3) var<storage, read> near: array<u32>;
 @group(2) @binding(4) var<storage, read_write> decisions: array<u32>;
-// Bits: 0 to 3 failed tests as in a decision; 4 advanced in this step, 5 a collider near
+// Bits: 0 to 3 failed tests as in a decision; 4 advanced in this step, 5 a collider that moves near
 @group(2) @binding(5) var<storage, read_write> explained: array<u32>;
 
 const ADVANCED: u32 = 16u;
@@ -48,7 +48,9 @@ fn explain(
         let failed = own.failed | failed_with_patch(patches[patch_index], local, count);
         decision.bits = shown(blade, own, failed);
         let advanced = select(0u, ADVANCED, bands[band_index].step == frame.step);
-        let touched = select(0u, TOUCHED, near[patch_index * NEAR_STRIDE] > 0u);
+        // What rests wakes no one
+        let slots = near[patch_index * NEAR_STRIDE];
+        let touched = select(0u, TOUCHED, (slots >> 8u) > (slots & 0xffu));
         explained[index] = failed | advanced | touched;
     }
     vote(lane, decision);

@@ -7,7 +7,8 @@
 //! rate; v1 is not kept, but follows from the tip by equations 10 and 11.
 
 use super::twin::{Blade, State, Surroundings, gravity_pull, recovery_rate, wind_velocity};
-use crate::Sphere;
+use crate::frame::collide::cuboid_twin::way_out;
+use crate::frame::collide::primitive::Primitive;
 use crate::shared::curve_twin::{middle_point, safe_normalize};
 use glam::DVec3;
 
@@ -19,24 +20,42 @@ pub fn step_s(blade: &Blade, gap_s: f64) -> f64 {
 
 /// Move of a point out of a sphere, metres (equation 14): the printed `min` keeps what is inside
 /// only. `lean` is the way out for a point at the centre.
-pub fn push_out(point: DVec3, sphere: &Sphere, lean: DVec3) -> DVec3 {
-    let to_center = sphere.center.as_dvec3() - point;
-    let inside = (to_center.length() - f64::from(sphere.radius)).min(0.0);
-    inside * safe_normalize(to_center, -lean)
+///
+/// Ours, as J has spheres only: a capsule is the sphere on its axis that is nearest to the point,
+/// and a box moves the point out of its nearest face, see [`way_out`].
+pub fn push_out(point: DVec3, primitive: &Primitive, blade: &Blade, lean: DVec3) -> DVec3 {
+    match *primitive {
+        Primitive::Capsule { from, to, radius } | Primitive::Swept { from, to, radius } => {
+            let (from, axis) = (from.as_dvec3(), to.as_dvec3() - from.as_dvec3());
+            let along = (point - from).dot(axis) / axis.length_squared().max(1e-12);
+            let to_center = from + axis * along.clamp(0.0, 1.0) - point;
+            let inside = (to_center.length() - f64::from(radius)).min(0.0);
+            inside * safe_normalize(to_center, -lean)
+        }
+        Primitive::Cuboid { center, half_extents, rotation } => {
+            let half = half_extents.as_dvec3();
+            let local = Primitive::into_box(rotation, point - center.as_dvec3());
+            if local.abs().cmpge(half).any() {
+                return DVec3::ZERO;
+            }
+            way_out(local, half, rotation, blade.up)
+                .map_or(DVec3::ZERO, |out| if out.below { lean } else { out.away } * out.depth)
+        }
+    }
 }
 
-/// Collision of the tip and of the curve's midpoint with all spheres (equations 14 to 16): the
+/// Collision of the tip and of the curve's midpoint with all primitives (equations 14 to 16): the
 /// tip's displacement in heights, and what the crush gains. The midpoint's move counts four times,
 /// as it moves by a quarter of what the tip moves; the crush counts its own, before the four.
-pub fn collision(blade: &Blade, tip: DVec3, spheres: &[Sphere]) -> (DVec3, f64) {
+pub fn collision(blade: &Blade, tip: DVec3, primitives: &[Primitive]) -> (DVec3, f64) {
     let middle = middle_point(tip, blade.up, 0.0);
     let tip_m = blade.root + tip * blade.height;
     let midpoint_m = blade.root + (middle / 2.0 + tip / 4.0) * blade.height;
     let lean = safe_normalize(tip - blade.up * tip.dot(blade.up), blade.facing);
-    let sound = |sphere: &&Sphere| sphere.center.is_finite() && sphere.radius.is_finite();
-    spheres.iter().filter(sound).fold((DVec3::ZERO, 0.0), |(moved, crush), sphere| {
-        let at_tip = push_out(tip_m, sphere, lean);
-        let at_midpoint = push_out(midpoint_m, sphere, lean);
+    let sound = primitives.iter().filter(|primitive| primitive.is_sound());
+    sound.fold((DVec3::ZERO, 0.0), |(moved, crush), primitive| {
+        let at_tip = push_out(tip_m, primitive, blade, lean);
+        let at_midpoint = push_out(midpoint_m, primitive, blade, lean);
         let displacement = (at_tip + 4.0 * at_midpoint) / blade.height;
         (moved + displacement, crush + at_tip.length_squared() + at_midpoint.length_squared())
     })
@@ -64,7 +83,7 @@ pub fn advance(blade: &Blade, state: State, gap_s: f64, around: &Surroundings) -
     let front = blade.facing * (pull.length() / 4.0);
     let gravity = (pull + front) * (blade.droop * blade.response);
     let wind = wind_velocity(blade, tip, around.wind.strength_at_f64(blade.root, 0.5 * dt_s));
-    let (hit, crushed) = collision(blade, tip, around.spheres);
+    let (hit, crushed) = collision(blade, tip, around.primitives);
     let moved = tip + (recovery + gravity + wind) * dt_s + hit;
     let crush = (state.crush - around.crush_decay * dt_s).max(0.0) + crushed;
     let next = State { tip: valid_tip(blade, moved), crush: crush.clamp(0.0, 2.0) };

@@ -101,25 +101,24 @@ fn move_freely(blade: Blade, state: BladeState, gap_s: f32) -> vec3<f32> {
 }
 
 // Advances a blade by `gap_s`, the time since it was last advanced: a frame, or a whole sleep.
+// `list` says which primitives are near.
 fn advance_sward(
     blade: Blade,
     state: BladeState,
     gap_s: f32,
-    first_sphere: u32,
-    sphere_count: u32,
+    list: u32,
 ) -> BladeState {
     if !(gap_s > 0.0) {
         return state;
     }
     let tip = move_freely(blade, state, gap_s);
     var next = BladeState(tip, crush_after(state.crush, gap_s));
-    let push = contact_largest(blade, tip, first_sphere, sphere_count);
-    if dot(push, push) > 0.0 {
-        next.tip = project_tip(tip + push, blade.up, blade.facing, blade.arch);
+    let hit = contact(blade, tip, list);
+    if hit.bend > 0.0 {
+        next.tip = hit.tip;
         // Contact holds the crush: it fades only over the part of the gap that was a sleep.
         let held = crush_after(state.crush, max(gap_s - frame.dt_s, 0.0));
-        let bend = next.tip - blade.up;
-        next.crush = max(held, min(dot(bend, bend), 2.0));
+        next.crush = max(held, min(hit.bend, 2.0));
     }
     if !(is_finite3(next.tip) && is_finite(next.crush)) {
         return sound_state(blade, state);

@@ -3,10 +3,11 @@
 //! height, so that 5 cm turf and 2 m reed behave alike; equation numbers are J's (Jahrmann &
 //! Wimmer 2017).
 
-use crate::frame::collide::twin::contact_largest;
+use crate::frame::collide::primitive::Primitive;
+use crate::frame::collide::twin::contact;
 use crate::shared::curve_twin::{project_tip, safe_normalize};
 use crate::shared::noise_twin::smoothstep;
-use crate::{Gravity, Sphere, Wind};
+use crate::{Gravity, Wind};
 use glam::DVec3;
 
 /// A sleeping blade catches up in at most this many substeps.
@@ -53,8 +54,8 @@ pub struct Surroundings<'a> {
     pub wind: &'a Wind,
     /// Gravity.
     pub gravity: Gravity,
-    /// Spheres where they are at the end of the step.
-    pub spheres: &'a [Sphere],
+    /// What pushes, on its way to the end of the step; in the paper's model at its end.
+    pub primitives: &'a [Primitive],
     /// Crush lost a second without contact: 0.25 lets a flattened blade stand 7 s later.
     pub crush_decay: f64,
     /// Seconds of the frame; a longer gap than this is a sleep.
@@ -142,13 +143,12 @@ pub fn advance(blade: &Blade, state: State, gap_s: f64, around: &Surroundings) -
     let crush_end = (state.crush - around.crush_decay * gap_s).max(0.0);
     let tip = move_freely(blade, state, gap_s, crush_end, around);
     let mut next = State { tip, crush: crush_end };
-    let push = contact_largest(blade, tip, around.spheres);
-    if push != DVec3::ZERO {
-        next.tip = project_tip(tip + push, blade.up, blade.facing, blade.arch);
+    if let Some(hit) = contact(blade, tip, around.primitives) {
+        next.tip = hit.tip;
         // Contact holds the crush: it fades only over the part of the gap that was a sleep.
         let asleep = (gap_s - around.dt_s).max(0.0);
         let held = (state.crush - around.crush_decay * asleep).max(0.0);
-        next.crush = held.max(next.tip.distance_squared(blade.up).min(2.0));
+        next.crush = held.max(hit.bend.min(2.0));
     }
     if next.is_finite() { next } else { state.sound(blade) }
 }

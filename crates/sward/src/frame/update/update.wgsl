@@ -6,26 +6,23 @@ override TEST: bool = true;
 @group(2) @binding(1) var<storage, read_write> bands: array<GpuBand>;
 @group(2) @binding(2) var<storage, read> work: array<vec2<u32>>;
 @group(2) @binding(3) var<storage, read_write> dynamics: array<vec2<u32>>;
-// Per patch: how many spheres are near, then their indices
+// Chunks near each patch
 @group(2) @binding(4) var<storage, read> near: array<u32>;
 // Two blades a word, 16 bits each: bucket 4, morph 5, fade 5
 @group(2) @binding(5) var<storage, read_write> decisions: array<u32>;
-
-fn near_sphere(slot: u32) -> vec4<f32> {
-    return spheres[near[slot]];
-}
 
 fn advance(blade: Blade, state: BladeState, band: GpuBand, patch_index: u32) -> BladeState {
     var gap = frame.dt_s;
     if band.step + 1u != frame.step {
         gap = f32(frame.ticks - band.ticks) / 16384.0;
     }
-    let first = patch_index * NEAR_STRIDE;
     if frame.physics_model == 1u {
-        return advance_paper(blade, state, gap, first + 1u, near[first]);
+        return advance_paper(blade, state, gap, patch_index);
     }
-    return advance_sward(blade, state, gap, first + 1u, near[first]);
+    return advance_sward(blade, state, gap, patch_index);
 }
+
+var<workgroup> tested: atomic<u32>;
 
 @compute @workgroup_size(64)
 fn update(
@@ -50,6 +47,9 @@ fn update(
         var state = unpack_state(blade, dynamics[index]);
         if stale {
             state = advance(blade, state, band, patch_index);
+            if tests_made > 0u {
+                atomicAdd(&tested, tests_made);
+            }
             let bits = pack_state(blade, state);
             dynamics[index] = bits;
             // Test what will be drawn: the quantised state
@@ -70,7 +70,7 @@ fn update(
         if stale {
             bands[band_index].step = frame.step;
             bands[band_index].ticks = frame.ticks;
-            bands[band_index].tested = near[patch_index * NEAR_STRIDE] * min(count - first, BAND);
+            bands[band_index].tested = atomicLoad(&tested);
         }
         if TEST {
             bands[band_index].counts =
