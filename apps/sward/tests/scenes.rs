@@ -37,6 +37,7 @@ scenes! {
     nature [],
     planet [],
     reference [],
+    shapes ["--labels"],
 }
 
 /// Names without endings of the files of one kind in a folder.

@@ -349,6 +349,10 @@ impl Renderer {
         self.read_back.in_flight()
     }
 
+    pub(crate) fn explained(&self, page: usize) -> Option<&wgpu::Buffer> {
+        self.debug.as_ref()?.explained.get(page)
+    }
+
     /// Forgets every field.
     pub(crate) fn clear(&mut self) {
         self.pages.clear();

@@ -66,6 +66,13 @@ impl Stage {
     /// Where the fields do not fit the device.
     pub fn new(gpu: &Gpu, scene: &Scene, fields: &[Field], options: StageOptions) -> Result<Self> {
         let device = &gpu.device;
+        let grey;
+        let scene = if options.debug.is_some() {
+            grey = options::on_grey_ground(scene);
+            &grey
+        } else {
+            scene
+        };
         let samples = if options.reference { 1 } else { options.samples };
         let formats = sward::Targets { color: COLOR_FORMAT, depth: DEPTH_FORMAT, samples };
         let mut renderer = Renderer::new(device, formats)?;

@@ -3,7 +3,7 @@
 use super::frame::CameraMatrices;
 use anyhow::Result;
 use glam::Vec2;
-use sward::{Culling, DebugView, Observer, PhysicsModel, View};
+use sward::{ColorRange, Culling, DebugView, Observer, PhysicsModel, View};
 use sward_scene::{Camera, Scene};
 
 /// How a scene is drawn.
@@ -99,4 +99,19 @@ pub fn no_culling(culling: Culling) -> Culling {
         max_distance_m: f32::INFINITY,
         ..culling
     }
+}
+
+/// The same with grey ground under the grass, on which a debug view's colours stand out.
+pub(super) fn on_grey_ground(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    scene.ground.grass_tint = 1.0;
+    let grey = ColorRange { from: [0.16; 3], to: [0.16; 3] };
+    for field in &mut scene.fields {
+        field.desc.color_map = None;
+        for species in &mut field.desc.species {
+            species.root_color = grey;
+            species.tip_color = grey;
+        }
+    }
+    scene
 }

@@ -38,7 +38,7 @@ pub(crate) struct Debug {
     indices: Vec<wgpu::Buffer>,
     corners: wgpu::Buffer,
     /// Reasons, by page.
-    explained: Vec<wgpu::Buffer>,
+    pub(crate) explained: Vec<wgpu::Buffer>,
     /// Group 3 by page, of each view that shows one.
     views: Vec<Option<Vec<wgpu::BindGroup>>>,
 }
@@ -52,7 +52,7 @@ fn gpu_debug(view: DebugView) -> GpuDebug {
 }
 
 /// Vertex of each index, by bucket.
-fn corners() -> Vec<u32> {
+pub(crate) fn corners() -> Vec<u32> {
     let own = |bucket| {
         let mut list: Vec<u32> =
             Topology::of(bucket).indices().into_iter().map(u32::from).collect();
