@@ -81,7 +81,7 @@ pub struct Args {
     /// Cull for this camera of the scene while another one looks on; its frustum is drawn
     #[arg(long, value_name = "NAME", conflicts_with = "reference")]
     culling_camera: Option<String>,
-    /// Write the fields' names above them
+    /// Write the fields' names under them
     #[arg(long)]
     labels: bool,
     /// All blades at full detail, 64 samples a pixel, averaged in linear light; slow

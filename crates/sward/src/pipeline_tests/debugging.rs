@@ -54,7 +54,8 @@ fn blades_by_level_and_blades_that_moved_are_counted() {
     let at = |x: f32| Sphere { center: Vec3::new(x, 0.2, 0.0), radius: 0.3 };
     let ball = [Collider::ball(at(0.0))];
     let away = View { culling: Culling::default(), ..super::scenes::see_none() };
-    let frame = Frame { colliders: &ball, ..Frame::new(0.02, &breeze()) };
+    let wind = breeze();
+    let frame = Frame { colliders: &ball, ..Frame::new(0.02, &wind) };
     rig.step(&frame, &[View { debug: Some(DebugView::Awake), ..away }]);
     let touched = reasons(&rig).iter().filter(|r| *r & 48 == 48).count() as u64;
     assert!(touched > 0 && touched < 1500, "{touched}");

@@ -46,7 +46,7 @@ impl DebugChoice {
 #[derive(Debug, Default)]
 pub struct Look {
     debug: Option<DebugChoice>,
-    /// Names, and the points above which they are written.
+    /// Names, and the points under which they are written: where the roots end, towards +z.
     labels: Vec<(String, Vec3)>,
     clip_from_world: Mat4,
     /// Edges of the frustum that culls, metres.
@@ -68,9 +68,10 @@ impl Look {
     ) -> Self {
         let aspect = options.size[0] as f32 / options.size[1] as f32;
         let label = |(named, grown): (&sward_scene::SceneField, &Field)| {
-            let (low, high) = grown.bounds();
-            let middle = 0.5 * (low + high);
-            (named.name.clone(), Vec3::new(middle.x, high.y, middle.z))
+            let boxes = grown.patches().iter().map(|patch| (patch.root_min, patch.root_max));
+            let join = |(a, b): (Vec3, Vec3), (c, d): (Vec3, Vec3)| (a.min(c), b.max(d));
+            let (low, high) = boxes.reduce(join).unwrap_or_default();
+            (named.name.clone(), Vec3::new(0.5 * (low.x + high.x), low.y, high.z))
         };
         let named = scene.fields.iter().zip(fields).filter(|_| labels);
         let frustum = options.culling_camera.as_ref().map(|camera| edges(camera, aspect));
@@ -103,11 +104,11 @@ impl Look {
 
     fn draw_labels(&self, picture: &mut RgbImage) {
         let letters = Type::of(picture.dimensions());
-        for (name, above) in &self.labels {
-            let Some(at) = self.project(self.clip_from_world * above.extend(1.0), picture) else {
+        for (name, place) in &self.labels {
+            let Some(at) = self.project(self.clip_from_world * place.extend(1.0), picture) else {
                 continue;
             };
-            let at = at.as_ivec2() - IVec2::Y * letters.line();
+            let at = at.as_ivec2() + IVec2::Y * (letters.line() / 3);
             Canvas::new(picture).text_on_picture(at, name, letters, [PAPER, INK], Align::Center);
         }
     }
