@@ -3,7 +3,7 @@
 
 use super::drawing::{Picture, covered, draw};
 use super::rig::Rig;
-use super::scenes::{breeze, look, no_culling, random_field, random_view, see_all};
+use super::scenes::{breeze, look, random_field, random_view, see_all};
 use crate::frame::draw::topology::Topology;
 use crate::{Collider, Culling, DebugView, Error, Frame, Observer, Sphere, View};
 use glam::{Mat4, Vec3};
@@ -52,7 +52,8 @@ fn blades_by_level_and_blades_that_moved_are_counted() {
     assert_eq!(counted.blades_moved, 1500);
     // A moving ball wakes the patches near it, seen or not
     let at = |x: f32| Sphere { center: Vec3::new(x, 0.2, 0.0), radius: 0.3 };
-    let ball = [Collider::ball(at(0.0))];
+    let last_pose = Some(crate::Pose::at(Vec3::new(-0.05, 0.2, 0.0)));
+    let ball = [Collider { last_pose, ..Collider::ball(at(0.0)) }];
     let away = View { culling: Culling::default(), ..super::scenes::see_none() };
     let wind = breeze();
     let frame = Frame { colliders: &ball, ..Frame::new(0.02, &wind) };
@@ -96,12 +97,12 @@ fn levels_show_in_their_colours() {
     }
 }
 
-/// Lines alone cover less than the triangles between them, and no pixel beside them.
+/// A broad blade before the camera: lines alone cover less than the triangles between them, and no
+/// pixel beside them.
 #[test]
 fn a_wireframe_lies_on_the_blades() {
-    let mut rig = rig();
-    let near =
-        View { culling: no_culling(), ..look(Vec3::new(0.0, 0.5, 1.2), Vec3::new(0.0, 0.3, 0.0)) };
+    let mut rig = super::lobes::leaf(crate::Shape::Quad);
+    let near = super::lobes::front(0);
     let solid = picture(&mut rig, near);
     let lines = picture(&mut rig, View { debug: Some(DebugView::Wireframe), ..near });
     let outside = solid.iter().zip(&lines).filter(|(s, l)| s[3] == 0 && l[3] > 0).count();
