@@ -31,14 +31,14 @@ fn tiny_as_in_the_paper() {
 #[test]
 fn debug_views() {
     for view in ["patches", "culling", "level", "awake", "crush", "wireframe", "half-wireframe"] {
-        golden(&format!("debug/{view}"), "256x192", &[&scene("tiny.ron"), "--time", "0.5", "--debug", view]);
+        golden(&format!("debug/{view}"), SIZE, &[&scene("tiny.ron"), "--time", "0.5", "--debug", view]);
     }
 }
 
 #[test]
 fn culling_seen_from_another_camera() {
     let cameras = ["--camera", "side", "--culling-camera", "main", "--debug", "culling"];
-    golden("debug/culling_camera", "256x192", &[&[scene("tiny.ron").as_str()], &cameras[..]].concat());
+    golden("debug/culling_camera", SIZE, &[&[scene("tiny.ron").as_str()], &cameras[..]].concat());
 }
 
 #[test]

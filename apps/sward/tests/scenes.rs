@@ -32,6 +32,7 @@ scenes! {
     closeup [],
     displacement [],
     fur [],
+    hand ["--time", "1.8"],
     meadow [],
     minimal [],
     mobius [],
