@@ -31,7 +31,11 @@ fn tiny_as_in_the_paper() {
 #[test]
 fn debug_views() {
     for view in ["patches", "culling", "level", "awake", "crush", "wireframe", "half-wireframe"] {
-        golden(&format!("debug/{view}"), SIZE, &[&scene("tiny.ron"), "--time", "0.5", "--debug", view]);
+        golden(
+            &format!("debug/{view}"),
+            SIZE,
+            &[&scene("tiny.ron"), "--time", "0.5", "--debug", view],
+        );
     }
 }
 

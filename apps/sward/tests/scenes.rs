@@ -39,7 +39,7 @@ scenes! {
     nature [],
     planet [],
     reference [],
-    shapes ["--labels"],
+    shapes [],
 }
 
 /// Names without endings of the files of one kind in a folder.
