@@ -6,17 +6,32 @@
 use crate::output::write_bytes;
 use anyhow::{Result, bail};
 use serde::{Deserialize, Serialize};
+use std::cell::OnceCell;
 use std::fmt::{self, Write};
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use sward_app::gpu::Gpu;
 use sward_app::stage::{Clock, StageOptions};
 use sward_scene::Scene;
+
+/// The rules by which the command comes from a state to the frame after it: the order and length of
+/// steps, how time is added up, where things on paths and bodies are at a time. Releases and shaders
+/// are compared by themselves, but between two releases such a rule may change; whoever changes
+/// one raises this number, since a state that was made by another rule goes on as no whole run does.
+const STATE_VERSION: u32 = 2;
+/// Longest first line of a file, bytes.
+const MOST_HEAD: u64 = 1 << 16;
+/// Longest state, bytes: of some 500 million blades.
+const MOST_STATE: u64 = 1 << 32;
 
 /// What a state is of.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Head {
     /// The release that wrote it.
     sward: String,
+    /// [`STATE_VERSION`].
+    version: u32,
     adapter: String,
     /// Stands for the scene and all that it refers to.
     scene: String,
@@ -32,10 +47,14 @@ struct Head {
 
 /// The states of one scene in one folder.
 #[derive(Debug)]
-pub struct States {
+pub struct States<'a> {
     folder: PathBuf,
     stem: String,
-    of: Head,
+    scene: &'a Scene,
+    adapter: String,
+    settings: String,
+    /// Made when it is first asked for: large meshes take their time.
+    of: OnceCell<Head>,
 }
 
 /// A state that was found.
@@ -48,27 +67,33 @@ pub struct Found {
     path: PathBuf,
 }
 
-impl States {
+impl<'a> States<'a> {
     /// Those in a folder, for a run.
     pub fn new(
         folder: PathBuf,
-        scene: &Scene,
+        scene: &'a Scene,
         gpu: &Gpu,
         options: &StageOptions,
         clock: Clock,
     ) -> Self {
         let stem = scene.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let about = gpu.adapter.get_info();
-        let of = Head {
+        let adapter = format!("{} {} {}", about.name, about.driver, about.driver_info);
+        let settings = format!("{options:?} {clock:?}");
+        Self { folder, stem, scene, adapter, settings, of: OnceCell::new() }
+    }
+
+    fn of(&self) -> &Head {
+        self.of.get_or_init(|| Head {
             sward: env!("CARGO_PKG_VERSION").into(),
-            adapter: format!("{} {} {}", about.name, about.driver, about.driver_info),
-            scene: scene_print(scene),
-            settings: format!("{options:?} {clock:?}"),
+            version: STATE_VERSION,
+            adapter: self.adapter.clone(),
+            scene: scene_print(self.scene),
+            settings: self.settings.clone(),
             frame: 0,
             bytes: 0,
             content: String::new(),
-        };
-        Self { folder, stem, of }
+        })
     }
 
     fn file(&self, frame: u32) -> PathBuf {
@@ -81,7 +106,7 @@ impl States {
     /// Where it cannot be written; then there is no new file.
     pub fn save(&self, frame: u32, state: &[u8]) -> Result<()> {
         let content = content_print(frame, state);
-        let head = Head { frame, bytes: state.len(), content, ..self.of.clone() };
+        let head = Head { frame, bytes: state.len(), content, ..self.of().clone() };
         let mut bytes = serde_json::to_vec(&head)?;
         bytes.push(b'\n');
         bytes.extend_from_slice(state);
@@ -127,16 +152,37 @@ impl States {
     }
 
     fn read(&self, path: &Path, frame: u32) -> Result<Found> {
-        let bytes = std::fs::read(path)?;
-        let end = bytes.iter().position(|byte| *byte == b'\n').unwrap_or(bytes.len());
-        let (line, rest) = bytes.split_at(end);
-        let Ok(head) = serde_json::from_slice::<Head>(line) else {
-            bail!("it is no saved state, or its first line is damaged");
+        let mut file = BufReader::new(File::open(path)?);
+        let mut line = Vec::new();
+        file.by_ref().take(MOST_HEAD).read_until(b'\n', &mut line)?;
+        let Ok(head) = serde_json::from_slice::<Head>(&line) else {
+            bail!("it is no saved state, or its first line is damaged or of another release");
         };
-        let state = rest.get(1..).unwrap_or_default();
-        let of = &self.of;
+        self.check(&head)?;
+        if head.bytes as u64 > MOST_STATE {
+            bail!("it is damaged");
+        }
+        // One byte more shows what is too long
+        let mut state = Vec::new();
+        file.take(head.bytes as u64 + 1).read_to_end(&mut state)?;
+        if state.len() < head.bytes {
+            bail!("it is cut short");
+        }
+        let sound = state.len() == head.bytes && head.content == content_print(frame, &state);
+        if head.frame != frame || !sound {
+            bail!("it is damaged");
+        }
+        Ok(Found { frame, state, path: path.into() })
+    }
+
+    /// That a state is of this run.
+    fn check(&self, head: &Head) -> Result<()> {
+        let of = self.of();
         if head.sward != of.sward {
             bail!("it is of release {}, this is {}", head.sward, of.sward);
+        }
+        if head.version != of.version {
+            bail!("it was made by another version of the simulation");
         }
         if head.adapter != of.adapter {
             bail!("it is of another adapter, {}", head.adapter);
@@ -147,14 +193,7 @@ impl States {
         if head.settings != of.settings {
             bail!("it is of another camera, size, rate or other setting");
         }
-        if state.len() < head.bytes {
-            bail!("it is cut short");
-        }
-        let sound = state.len() == head.bytes && head.content == content_print(frame, state);
-        if head.frame != frame || !sound {
-            bail!("it is damaged");
-        }
-        Ok(Found { frame, state: state.to_vec(), path: path.into() })
+        Ok(())
     }
 }
 
@@ -190,7 +229,9 @@ impl Write for Print {
     }
 }
 
-/// Stands for everything that the scene's file says and refers to, but not for where it lies.
+/// Stands for what the scene's file says and for the meshes that it refers to, but not for where it
+/// lies. Of a texture there is the size alone: colours move nothing. Maps that say where blades grow
+/// show in the blades, which the state itself is compared by.
 fn scene_print(scene: &Scene) -> String {
     let mut print = Print::new();
     let placeless = Scene { path: PathBuf::new(), notes: Vec::new(), ..scene.clone() };

@@ -2,6 +2,7 @@
 
 use anyhow::{Context, Result, bail};
 use image::RgbImage;
+use std::ffi::OsString;
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
@@ -12,7 +13,7 @@ use std::thread::JoinHandle;
 pub enum Format {
     /// H.264, 4:2:0, so that every player shows it.
     Mp4,
-    /// A palette for the whole film.
+    /// A palette for each frame: one for all would keep every frame in memory until the end.
     Gif,
 }
 
@@ -30,6 +31,13 @@ impl Format {
         (even, Some(format!("{width} x {height} is cropped to {w} x {h}: H.264 needs even sides")))
     }
 
+    /// What of a film is not written as it was asked for.
+    fn note(self, size: [u32; 2], fps: f64) -> Option<String> {
+        let faster = self == Self::Gif && fps > GIF_FPS;
+        let rate = || format!("a GIF shows at most {GIF_FPS} of the {fps:.0} frames a second");
+        self.fitted(size).1.or_else(|| faster.then(rate))
+    }
+
     fn arguments(self, [width, height]: [u32; 2], fps: f64) -> Vec<String> {
         let filter = match self {
             // The matrix that the stream then is labelled with
@@ -37,8 +45,8 @@ impl Format {
             Self::Gif => {
                 let rate = if fps > GIF_FPS { format!("fps={GIF_FPS},") } else { String::new() };
                 format!(
-                    "{rate}split[a][b];[a]palettegen=stats_mode=diff[p];\
-                     [b][p]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle"
+                    "{rate}split[a][b];[a]palettegen=stats_mode=single[p];\
+                     [b][p]paletteuse=new=1:dither=bayer:bayer_scale=4"
                 )
             }
         };
@@ -74,8 +82,7 @@ impl Format {
 pub struct Video {
     target: PathBuf,
     partial: PathBuf,
-    format: Format,
-    size: [u32; 2],
+    note: Option<String>,
     ffmpeg: Child,
     frames: Option<ChildStdin>,
     said: Option<JoinHandle<String>>,
@@ -104,7 +111,7 @@ impl Video {
             .args(["-r", &format!("{fps:.6}"), "-i", "pipe:0", "-an"])
             .args(format.arguments(fitted, fps))
             .args(["-bitexact", "-y"])
-            .arg(&partial)
+            .arg(as_file(&partial))
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::piped());
@@ -125,14 +132,13 @@ impl Video {
                 String::from_utf8_lossy(&said).into_owned()
             })
         });
-        let target = target.into();
-        Ok(Self { target, partial, format, size, ffmpeg, frames, said, finished: false })
+        let (target, note) = (target.into(), format.note(size, fps));
+        Ok(Self { target, partial, note, ffmpeg, frames, said, finished: false })
     }
 
     /// What of the film is not as it was asked for.
     pub fn note(&self) -> Option<String> {
-        let (_, note) = self.format.fitted(self.size);
-        note.map(|note| format!("{}: {note}", self.target.display()))
+        self.note.as_ref().map(|note| format!("{}: {note}", self.target.display()))
     }
 
     /// Adds a frame.
@@ -174,6 +180,14 @@ impl Video {
     }
 }
 
+/// A path that ffmpeg takes as one, whatever it starts with: it would read `12:30.mp4` as a protocol
+/// and `-a.mp4` as an option.
+fn as_file(path: &Path) -> OsString {
+    let mut name = OsString::from("file:");
+    name.push(path);
+    name
+}
+
 impl Drop for Video {
     fn drop(&mut self) {
         if self.finished {
@@ -198,5 +212,13 @@ mod tests {
         let (size, note) = Format::Mp4.fitted([641, 361]);
         assert_eq!(size, [640, 360]);
         assert!(note.unwrap().contains("641 x 361 is cropped to 640 x 360"));
+    }
+
+    #[test]
+    fn a_gif_that_leaves_frames_out_says_so() {
+        assert_eq!(Format::Gif.note([641, 361], 50.0), None);
+        assert_eq!(Format::Mp4.note([640, 360], 60.0), None);
+        let note = Format::Gif.note([640, 360], 60.0);
+        assert_eq!(note.as_deref(), Some("a GIF shows at most 50 of the 60 frames a second"));
     }
 }

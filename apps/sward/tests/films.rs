@@ -5,14 +5,18 @@ mod common;
 use common::{Folder, scene, stderr, stdout};
 use std::process::Command;
 
+/// Whether there is one. Where the setup was to install it, its lack is a failure.
 fn ffmpeg() -> bool {
-    Command::new("ffmpeg").arg("-version").output().is_ok()
+    let there = Command::new("ffmpeg").arg("-version").output().is_ok();
+    let wanted = ["CI", "SWARD_TEST_FFMPEG"].iter().any(|name| std::env::var_os(name).is_some());
+    assert!(there || !wanted, "films cannot be tested: there is no ffmpeg on the PATH");
+    there
 }
 
 const FRAMES: [&str; 2] = ["--frames", "0..3"];
 
 fn render(folder: &Folder, extra: &[&str]) -> (Option<i32>, String, String) {
-    let scene = scene("tiny.ron");
+    let scene = scene("moving.ron");
     let output = folder.sward(&[&["render", &scene], &FRAMES[..], extra].concat());
     (output.status.code(), stdout(&output), stderr(&output))
 }
@@ -58,12 +62,33 @@ fn films_show_the_frames() {
         let frame = (width * height * 3) as usize;
         assert_eq!(film.len(), 3 * frame);
         render(&folder, &["-o", "%d.png", "--size", "97x65"]);
+        let picture = |i| image::open(folder.path(&format!("{i}.png"))).unwrap().into_rgb8();
+        let pictures = [0, 1, 2].map(picture);
         for (i, shown) in film.chunks_exact(frame).enumerate() {
-            let picture = image::open(folder.path(&format!("{i}.png"))).unwrap().into_rgb8();
-            let difference = mean_difference(shown, &picture, [width, height]);
-            assert!(difference < 9.0, "frame {i}: {difference}");
+            let to = |picture| mean_difference(shown, picture, [width, height]);
+            let differences: Vec<_> = pictures.iter().map(to).collect();
+            assert!(differences[i] < 9.0, "frame {i}: {differences:?}");
+            // And it is this one, neither the one before nor the one after
+            for (other, difference) in differences.iter().enumerate().filter(|(j, _)| *j != i) {
+                assert!(*difference > 1.5 * differences[i], "{i} as {other}: {differences:?}");
+            }
         }
     }
+}
+
+/// ffmpeg would take the one for a protocol, the other for an option.
+#[test]
+fn names_of_films_are_names() {
+    if !ffmpeg() {
+        return;
+    }
+    let folder = Folder::new();
+    for (film, output) in [("12:30.mp4", "--output=12:30.mp4"), ("-a.gif", "--output=-a.gif")] {
+        let (code, _, told) = render(&folder, &[output, "--size", "32x32"]);
+        assert_eq!(code, Some(0), "{film}: {told}");
+        assert!(folder.names().contains(&film.into()), "{:?}", folder.names());
+    }
+    assert_eq!(folder.names().len(), 2);
 }
 
 #[test]
@@ -83,7 +108,7 @@ fn without_ffmpeg_one_line_says_so() {
 #[cfg(unix)]
 fn an_ffmpeg_that_fails_is_told_by_its_last_line() {
     use std::os::unix::fs::PermissionsExt;
-    for script in ["", "cat > /dev/null; touch \"$last\""] {
+    for script in ["", "cat > /dev/null; touch \"${last#file:}\""] {
         let folder = Folder::new();
         let text = format!(
             "#!/bin/sh\nfor last; do :; done\n{script}\necho first >&2\necho 'no such codec' >&2\necho >&2\nexit 3\n"

@@ -72,6 +72,12 @@ fn states_that_do_not_fit_are_told_and_not_used() {
     std::fs::write(&four, &sound[..sound.len() - 1]).unwrap();
     told_of("is cut short", 2, &[]);
     same(&folder, ["%d.png", "again%d.png"], 4..5);
+    let head = sound.iter().position(|byte| *byte == b'\n').unwrap();
+    let line = std::str::from_utf8(&sound[..head]).unwrap();
+    let older = line.replace("\"version\":", "\"version\":9");
+    assert_ne!(older, line);
+    std::fs::write(&four, [older.as_bytes(), &sound[head..]].concat()).unwrap();
+    told_of("was made by another version of the simulation", 2, &[]);
     let mut flipped = sound.clone();
     flipped[sound.len() - 100] ^= 1;
     std::fs::write(&four, &flipped).unwrap();

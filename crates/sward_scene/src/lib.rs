@@ -170,12 +170,12 @@ impl Scene {
     }
 
     /// The terms of the wind at a time, as the library takes them.
-    pub fn wind_at(&self, time_s: f32) -> Vec<sward::WindSource> {
+    pub fn wind_at(&self, time_s: f64) -> Vec<sward::WindSource> {
         self.wind.iter().map(|wind| wind.at(time_s)).collect()
     }
 
     /// The spheres at a time, as the library takes them.
-    pub fn spheres_at(&self, time_s: f32) -> Vec<sward::Sphere> {
+    pub fn spheres_at(&self, time_s: f64) -> Vec<sward::Sphere> {
         self.spheres.iter().map(|sphere| sphere.at(time_s)).collect()
     }
 }

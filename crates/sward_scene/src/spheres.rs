@@ -24,12 +24,12 @@ pub struct MovingSphere {
 
 impl MovingSphere {
     /// The sphere at a time, seconds.
-    pub fn at(&self, time_s: f32) -> sward::Sphere {
+    pub fn at(&self, time_s: f64) -> sward::Sphere {
         sward::Sphere { center: self.pose_at(time_s).translation, radius: self.radius }
     }
 
     /// Place and turn at a time, seconds.
-    pub fn pose_at(&self, time_s: f32) -> Pose {
+    pub fn pose_at(&self, time_s: f64) -> Pose {
         self.path.pose_at(time_s)
     }
 }

@@ -14,17 +14,17 @@ pub struct SceneWind {
 }
 
 /// Over so long a path's velocity is taken, seconds.
-const STEP_S: f32 = 1.0 / 60.0;
+const STEP_S: f64 = 1.0 / 60.0;
 /// Fastest that the library takes, metres a second along each axis: a path may jump.
 const FASTEST_MPS: f32 = 1000.0;
 
 impl SceneWind {
     /// The source as it is at a time, seconds, with the velocity that it has had just before.
-    pub fn at(&self, time_s: f32) -> WindSource {
+    pub fn at(&self, time_s: f64) -> WindSource {
         let pose = self.path.pose_at(time_s);
         let before = self.path.pose_at(time_s - STEP_S).translation;
         let most = Vec3::splat(FASTEST_MPS);
-        let velocity = ((pose.translation - before) / STEP_S).clamp(-most, most);
+        let velocity = ((pose.translation - before) / STEP_S as f32).clamp(-most, most);
         let mut source = self.source.clone();
         source.place(pose.translation, velocity);
         if let WindSource::Fan(fan) = &mut source {

@@ -231,13 +231,13 @@ impl Sink {
 }
 
 /// The saved states of a run of frames; its folder is made where there will be some.
-fn run_states(
+fn run_states<'a>(
     args: &Args,
-    scene: &Scene,
+    scene: &'a Scene,
     gpu: &Gpu,
     options: &StageOptions,
     clock: Clock,
-) -> Result<Option<States>> {
+) -> Result<Option<States<'a>>> {
     if args.frames.is_none() {
         return Ok(None);
     }
@@ -272,7 +272,7 @@ struct FrameRun<'a> {
     stage: &'a mut Stage,
     look: &'a Look,
     clock: Clock,
-    states: Option<&'a States>,
+    states: Option<&'a States<'a>>,
     quiet: bool,
 }
 

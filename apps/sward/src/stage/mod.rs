@@ -52,6 +52,8 @@ pub struct Stage {
     gravity: sward::Gravity,
     movers: Movers,
     time_s: f64,
+    /// At the step before.
+    last_time_s: f64,
     warm_up_s: f64,
     jitter_px: Vec2,
     /// Whether the depth target holds the opaque things of this time, and nothing else.
@@ -99,12 +101,13 @@ impl Stage {
             uniform,
             opaque,
             passes,
-            wind: Wind::new(scene.wind_at(-scene.warm_up_s))?,
+            wind: Wind::new(scene.wind_at(-warm_up_s))?,
             wind_paths: scene.wind.clone(),
             light,
             gravity: scene.gravity,
             movers,
             time_s: -warm_up_s,
+            last_time_s: -warm_up_s,
             warm_up_s,
             jitter_px: Vec2::ZERO,
             depth_is_opaque: false,
@@ -194,12 +197,11 @@ impl Stage {
     /// Where wind or spheres are more than fit, or not finite.
     pub fn encode_simulate(&mut self, encoder: &mut wgpu::CommandEncoder, dt_s: f64) -> Result<()> {
         self.follow(dt_s);
-        let time_s = self.time_s as f32;
-        if self.opaque.place(&self.gpu.queue, self.movers.placements(time_s)) {
+        if self.opaque.place(&self.gpu.queue, self.movers.placements(self.time_s)) {
             self.depth_is_opaque = false;
         }
         let colliders: Vec<_> = match self.options.collisions {
-            true => self.movers.colliders(time_s, dt_s as f32),
+            true => self.movers.colliders(self.time_s, self.last_time_s),
             false => Vec::new(),
         };
         let frame = Frame {
@@ -215,9 +217,9 @@ impl Stage {
 
     /// What moves by itself, without the grass: time, wind, things and bodies.
     fn follow(&mut self, dt_s: f64) {
+        self.last_time_s = self.time_s;
         self.time_s += dt_s;
-        let time_s = self.time_s as f32;
-        self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(time_s)).collect();
+        self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(self.time_s)).collect();
         self.wind.advance(dt_s);
         self.movers.advance(self.time_s);
     }

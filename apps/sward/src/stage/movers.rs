@@ -77,7 +77,7 @@ impl Movers {
     }
 
     /// Places of each of [`Movers::things`]; as many as ever.
-    pub fn placements(&self, time_s: f32) -> Vec<Vec<GpuPlacement>> {
+    pub fn placements(&self, time_s: f64) -> Vec<Vec<GpuPlacement>> {
         let object =
             |object: &MovingObject| vec![placed(object.looks, object.path.pose_at(time_s))];
         let mut places: Vec<_> = self.objects.iter().map(object).collect();
@@ -94,18 +94,18 @@ impl Movers {
         places
     }
 
-    /// What pushes blades, swept from where it was before the step.
-    pub fn colliders(&self, time_s: f32, dt_s: f32) -> Vec<Collider<'_>> {
+    /// What pushes blades, swept from where it was at the step before, to the bit: sweeps join.
+    pub fn colliders(&self, time_s: f64, last_time_s: f64) -> Vec<Collider<'_>> {
         let sphere = |sphere: &MovingSphere| {
             let shape = ColliderShape::Sphere { radius: sphere.radius };
-            collider(shape, sphere.pose_at(time_s), Some(sphere.pose_at(time_s - dt_s)))
+            collider(shape, sphere.pose_at(time_s), Some(sphere.pose_at(last_time_s)))
         };
         let body = |body: &Body| {
             let shape = self.groups.get(body.group)?.shape.collider(body.scale);
             Some(collider(shape, body.pose?, body.last_pose))
         };
         let bodies = self.bodies.iter().flat_map(Bodies::all).filter_map(body);
-        let pieces = self.pieces.iter().map(|piece| of_object(piece, time_s, dt_s));
+        let pieces = self.pieces.iter().map(|piece| of_object(piece, time_s, last_time_s));
         self.spheres.iter().map(sphere).chain(pieces).chain(bodies).collect()
     }
 }
@@ -113,12 +113,12 @@ impl Movers {
 /// A piece of an object, which moves where the object has a path.
 fn of_object(
     (piece, path): &(ColliderPiece, Option<Path>),
-    time_s: f32,
-    dt_s: f32,
+    time_s: f64,
+    last_time_s: f64,
 ) -> Collider<'_> {
     let Some(path) = path else { return Collider::resting(piece.shape(), piece.pose) };
     let at = |time_s| within(path.pose_at(time_s), piece.pose);
-    collider(piece.shape(), at(time_s), Some(at(time_s - dt_s)))
+    collider(piece.shape(), at(time_s), Some(at(last_time_s)))
 }
 
 /// A thing that has not moved since rests.
@@ -152,7 +152,7 @@ fn ball_looks(
     }
 }
 
-fn sphere_placement(sphere: &MovingSphere, time_s: f32) -> GpuPlacement {
+fn sphere_placement(sphere: &MovingSphere, time_s: f64) -> GpuPlacement {
     let MovingSphere { base_color, stripe_color, roughness, radius, .. } = *sphere;
     let looks = ball_looks(base_color, stripe_color, roughness, radius);
     placed(looks, sphere.pose_at(time_s))
@@ -175,7 +175,7 @@ impl super::Stage {
             _ => 1,
         };
         match self.options.collisions {
-            true => self.movers.colliders(self.time_s as f32, 0.0).iter().map(parts).sum(),
+            true => self.movers.colliders(self.time_s, self.time_s).iter().map(parts).sum(),
             false => 0,
         }
     }

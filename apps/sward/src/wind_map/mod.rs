@@ -27,7 +27,7 @@ pub struct MapOptions {
 /// # Errors
 /// Where the scene's wind is none.
 pub fn draw(scene: &Scene, options: MapOptions) -> Result<RgbImage, sward::Error> {
-    let mut wind = Wind::new(scene.wind_at(options.time_s as f32))?;
+    let mut wind = Wind::new(scene.wind_at(options.time_s))?;
     wind.advance(f64::from(scene.warm_up_s) + options.time_s);
     let frame = Frame::around(scene, options.size);
     let ground = Ground::below(scene, &frame);

@@ -1,8 +1,9 @@
 //! Rigid bodies: they fall, bounce and roll on the scene's objects, and push blades.
 //!
 //! [`Bodies`] holds their world. It takes fixed steps of its own from time 0 on, so where a body is
-//! at a time depends on that time alone, whatever steps led there, and is the same on every
-//! machine.
+//! at a time depends on that time alone, whatever steps led there, and is the same in every run of
+//! one program on one machine. Another machine's sine and cube root may start them a little
+//! otherwise.
 
 mod grass;
 mod start;

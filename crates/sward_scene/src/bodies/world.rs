@@ -151,7 +151,7 @@ impl Bodies {
         let next_s = (self.steps + 1) as f64 / RATE;
         for (handle, path) in &self.pushers {
             if let Some(body) = self.world.bodies.get_mut(*handle) {
-                let Pose { translation, rotation } = path.pose_at(next_s as f32);
+                let Pose { translation, rotation } = path.pose_at(next_s);
                 body.set_next_kinematic_translation(translation);
                 body.set_next_kinematic_rotation(rotation);
             }

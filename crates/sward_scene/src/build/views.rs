@@ -109,7 +109,7 @@ fn sphere(file: &SphereFile, index: usize, placed: &[Placed]) -> Result<MovingSp
     };
     if let Some(name) = &file.above {
         let ground = find(placed, name, &key.at("above"))?.ground();
-        let followed = motion::along_ground(&path, ground, radius);
+        let followed = motion::along_ground(&path, ground, radius, &key.at("path"))?;
         path = motion::rolling(&followed, &path, ground, radius);
     }
     let stripes = file.stripe_color.map(|color| key.at("stripe_color").color(color));

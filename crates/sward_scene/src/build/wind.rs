@@ -59,7 +59,7 @@ fn path(
     };
     let Some(name) = above else { return Ok(path) };
     let ground = find(placed, name, &key.at("above"))?.ground();
-    Ok(motion::along_ground(&path, ground, 0.0))
+    motion::along_ground(&path, ground, 0.0, &key.at("path"))
 }
 
 fn wave_source(waves: &WavesFile, key: &Key) -> Result<Waves, Problem> {

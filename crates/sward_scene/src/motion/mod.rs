@@ -38,6 +38,8 @@ const MOST_KEYS: usize = 100_000;
 const LATEST_S: f32 = 100_000.0;
 /// How far the last key of a repeated path may be from the first, metres.
 const SAME_PLACE_M: f32 = 1e-3;
+/// And how far it may be turned from it, degrees.
+const SAME_TURN_DEG: f32 = 0.2;
 
 impl Path {
     /// A thing that rests.
@@ -97,21 +99,23 @@ impl Path {
         })
     }
 
-    /// Place and turn at a time, any finite one.
-    pub fn pose_at(&self, time_s: f32) -> Pose {
+    /// Place and turn at a time, seconds, any finite one. In double precision: after a day a single
+    /// one steps by 8 ms.
+    pub fn pose_at(&self, time_s: f64) -> Pose {
         self.pose_within(self.own_time(time_s))
     }
 
     /// The same without repetition.
-    fn pose_within(&self, time_s: f32) -> Pose {
-        let after = self.keys.partition_point(|key| key.time_s <= time_s);
+    fn pose_within(&self, time_s: f64) -> Pose {
+        let after = self.keys.partition_point(|key| f64::from(key.time_s) <= time_s);
         let Some(next) = self.keys.get(after).or(self.keys.last()) else {
             return Pose::default();
         };
         let from = after.saturating_sub(1);
         let last = self.keys.get(from).unwrap_or(next);
         let span_s = next.time_s - last.time_s;
-        let t = if span_s > 0.0 { ((time_s - last.time_s) / span_s).clamp(0.0, 1.0) } else { 0.0 };
+        let share = (time_s - f64::from(last.time_s)) / f64::from(span_s);
+        let t = if span_s > 0.0 { share.clamp(0.0, 1.0) as f32 } else { 0.0 };
         let translation = match (self.velocities.get(from), self.velocities.get(after)) {
             (Some(&start), Some(&end)) if self.smooth && span_s > 0.0 => {
                 spline::between(last.position, start * span_s, next.position, end * span_s, t)
@@ -122,10 +126,11 @@ impl Path {
     }
 
     /// Time on the path itself.
-    fn own_time(&self, time_s: f32) -> f32 {
+    fn own_time(&self, time_s: f64) -> f64 {
         match (self.keys.first(), self.keys.last()) {
             (Some(first), Some(last)) if self.repeat && last.time_s > first.time_s => {
-                first.time_s + (time_s - first.time_s).rem_euclid(last.time_s - first.time_s)
+                let [from_s, to_s] = [first, last].map(|key| f64::from(key.time_s));
+                from_s + (time_s - from_s).rem_euclid(to_s - from_s)
             }
             _ => time_s,
         }
@@ -142,6 +147,15 @@ fn check_repeat(keys: &[PathKey], key: &Key) -> Result<(), Problem> {
         let cause = format!(
             "the last key must be where the first is, {}, but it is at {}",
             first.position, last.position
+        );
+        return Err(key.at("repeat").problem(cause));
+    }
+    // A rotation and its negative are the same turn
+    let cosine = first.rotation.dot(last.rotation).abs().min(1.0);
+    let angle_deg = 2.0 * cosine.acos().to_degrees();
+    if angle_deg > SAME_TURN_DEG {
+        let cause = format!(
+            "the last key must be turned as the first is, but is {angle_deg:.1} degrees off"
         );
         return Err(key.at("repeat").problem(cause));
     }

@@ -223,7 +223,7 @@ fn path(file: &ObjectFile, key: &Key, others: &[Placed]) -> Result<Option<Path>,
         None => path,
         Some(name) => {
             let ground = find(others, name, &key.at("above"))?.ground();
-            motion::along_ground(&path, ground, 0.0)
+            motion::along_ground(&path, ground, 0.0, &key_of)?
         }
     }))
 }
