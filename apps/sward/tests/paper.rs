@@ -115,8 +115,8 @@ fn tables_say_what_the_runs_say(tables: &Value) {
     for key in ["adapter", "driver", "backend", "size", "samples", "frames_measured"] {
         assert!(!tables[key].is_null(), "{key}");
     }
-    // One unmeasured and one measured frame, as a whole and then by stage.
-    assert_eq!(tables["frame_counted"], 4);
+    // One unmeasured and one measured frame, as a whole and then by stage; four to be counted.
+    assert_eq!(tables["frame_counted"], 8);
 }
 
 fn every_link_leads_to_a_file(folder: &Folder) {
@@ -152,7 +152,7 @@ fn numbers_that_are_filled_in_appear_beside_ours() {
         (scene: nature, conditions: [collisions_off], quantity: frame_ms, value: 12.345,
          source: \"table 9\")])";
     std::fs::write(folder.path("mine.ron"), filled).unwrap();
-    paper(&folder, &["--published", "mine.ron"]);
+    paper(&folder, &["--published", "mine.ron", "--no-pictures"]);
     let text = read(&folder, "tables.md");
     assert!(text.contains("| whole frame, ms | 12.35 |"), "{text}");
     assert!(text.contains("The paper's machine: a card."), "{text}");
@@ -163,6 +163,10 @@ fn numbers_that_are_filled_in_appear_beside_ours() {
     assert_eq!(row["scenes"]["nature"]["paper"], 12.345);
     assert_eq!(row["scenes"]["nature"]["source"], "table 9");
     assert!(row["scenes"]["helicopter"]["paper"].is_null());
+    let out = std::fs::read_dir(folder.path("out")).unwrap();
+    let mut names: Vec<_> = out.map(|f| f.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    assert_eq!(names, ["index.html", "index.md", "tables.json", "tables.md"]);
 }
 
 /// Exit code 2, one line, and nothing new in the folder.

@@ -95,6 +95,10 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
     let wind = wind::sources(file, &placed).map_err(|problem| context.error(problem))?;
     let bodies = crate::bodies::groups(file, &placed).map_err(|problem| context.error(problem))?;
     let mut descs = fields::descriptions(context, file)?;
+    for (desc, host) in descs.iter_mut().zip(&hosts) {
+        let others = placed.iter().enumerate().filter(|(index, _)| index != host);
+        desc.obstacles = others.flat_map(|(_, other)| other.obstacles()).collect();
+    }
     colors::set_maps(context, file, &placed, &hosts, &mut descs)?;
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
     let mut fields = Vec::with_capacity(descs.len());
@@ -136,7 +140,10 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
 fn place(context: &mut Context, file: &SceneFile) -> Result<(Vec<Placed>, Vec<usize>), SceneError> {
     let mut placed = Vec::new();
     for (index, object) in file.objects.iter().enumerate() {
-        let object = Placed::from_file(context, object, index, &placed)?;
+        let carries = |name: &str| {
+            file.fields.iter().any(|field| matches!(&field.on, Source::Object(on) if on == name))
+        };
+        let object = Placed::from_file(context, object, index, &placed, carries)?;
         if placed.iter().any(|other: &Placed| other.name == object.name) {
             let cause = format!("the name '{}' is taken by an object before it", object.name);
             return Err(context.error(Key::list("objects", index).at("name").problem(cause)));
@@ -210,6 +217,7 @@ fn finish(
                 area_m2: surface.area_m2(),
                 dropped_triangles: surface.dropped_triangles(),
                 texture: None,
+                collider: Vec::new(),
                 path: None,
             });
         }

@@ -36,7 +36,7 @@ pub use build::{load, parse};
 pub use camera::Camera;
 pub use error::SceneError;
 pub use motion::{Path, PathKey};
-pub use objects::Object;
+pub use objects::{ColliderPiece, Object};
 pub use spheres::MovingSphere;
 pub use wind::SceneWind;
 

@@ -19,7 +19,9 @@ fn every_scene_loads() {
         if path.extension().is_some_and(|extension| extension == "ron") {
             let scene = load(&path).unwrap_or_else(|error| panic!("{error}"));
             assert!(!scene.fields.is_empty() && !scene.cameras.is_empty(), "{}", path.display());
-            assert!(scene.notes.is_empty(), "{:?}", scene.notes);
+            // The first time, meshes are packed, which is told.
+            let mut notes = scene.notes.iter().filter(|note| !note.starts_with("packed"));
+            assert_eq!(notes.next(), None, "{}", path.display());
             seen += 1;
         }
     }

@@ -41,7 +41,8 @@ pub struct Args {
     /// Folder of the scenes [default: ./scenes, else the one beside the program]
     #[arg(long, value_name = "DIR")]
     scenes: Option<PathBuf>,
-    /// Size in pixels, of what is measured and of the pictures [default: 1024x768; quick: 160x120]
+    /// Size in pixels of what is measured; pictures are as wide, 16 to 9 [default: 1024x768; quick:
+    /// 160x120]
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
     /// Frames to measure as a whole, and as many again by stage [default: 30; quick: 2]
@@ -53,6 +54,9 @@ pub struct Args {
     /// The paper's own numbers [default: those that come with the program]
     #[arg(long, value_name = "FILE")]
     published: Option<PathBuf>,
+    /// The tables only: no picture is drawn
+    #[arg(long)]
+    no_pictures: bool,
     /// Small pictures and few frames; the times say little then
     #[arg(long)]
     quick: bool,
@@ -82,9 +86,11 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     output::prepare_file("-o", &args.output.join("tables.json"))?;
     let results = measure(&gpu, &scenes, settings, published)?;
     drop(gpu);
-    let figures = figures::all()?;
+    let figures = if args.no_pictures { Vec::new() } else { figures::all()? };
     let bar = progress::bar(quiet, "pictures", figures::count(&figures) as u64);
-    let folders = Folders { scenes: &folder, output: &args.output, size };
+    // The scenes' cameras are set up for this shape.
+    let picture = [size[0], (size[0] * 9).div_ceil(16).max(1)];
+    let folders = Folders { scenes: &folder, output: &args.output, size: picture };
     let outcomes = figures::draw(&figures, folders, &bar)?;
     drop(bar);
     write(&args.output, &Page { results: &results, figures: &figures, outcomes: &outcomes })?;

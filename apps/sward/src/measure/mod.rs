@@ -5,5 +5,6 @@ mod times;
 
 pub use report::{Measured, Milliseconds, Percentiles, Report};
 pub use times::{
-    Measuring, Times, frames_run, measure, measure_in_turns, statistics, warm_up_frames,
+    COUNTED_FRAMES, Measuring, Times, frames_run, measure, measure_in_turns, statistics,
+    warm_up_frames,
 };

@@ -33,6 +33,9 @@ pub fn warm_up_frames(frames: u32) -> u32 {
     frames.min(20)
 }
 
+/// Frames that [`statistics`] runs; the counts are of the last one.
+pub const COUNTED_FRAMES: u32 = 4;
+
 /// Frames that [`measure`] runs.
 pub fn frames_run(frames: u32) -> u32 {
     warm_up_frames(frames) + frames + 1 + frames
@@ -175,7 +178,7 @@ fn time_stage(
 /// Counts of a frame, which come back a few frames late.
 pub fn statistics(gpu: &Gpu, stage: &mut Stage, still: bool) -> Result<Option<Statistics>> {
     let mut newest = stage.statistics();
-    for _ in 0..4 {
+    for _ in 0..COUNTED_FRAMES {
         whole_frame(gpu, stage, if still { 0.0 } else { DT_S })?;
         newest = stage.statistics().or(newest);
     }

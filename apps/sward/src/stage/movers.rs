@@ -5,7 +5,9 @@ use super::meshes::{self, GpuPlacement, NO_GRASS, NO_STRIPES, STRIPES};
 use super::shapes;
 use glam::Vec3;
 use sward::{Collider, ColliderShape, Mesh, Pose};
-use sward_scene::{Bodies, Body, BodyGroup, MovingSphere, Path, Scene, TextureImage};
+use sward_scene::{
+    Bodies, Body, BodyGroup, ColliderPiece, MovingSphere, Path, Scene, TextureImage,
+};
 
 /// An object that moves.
 #[derive(Debug)]
@@ -28,6 +30,8 @@ pub(super) struct Movers {
     objects: Vec<MovingObject>,
     groups: Vec<BodyGroup>,
     bodies: Option<Bodies>,
+    /// Pieces of objects that push blades, those that rest among them.
+    pieces: Vec<(ColliderPiece, Option<Path>)>,
 }
 
 impl Movers {
@@ -42,6 +46,9 @@ impl Movers {
             objects: moving.collect(),
             groups: scene.bodies.clone(),
             bodies: Bodies::new(scene),
+            pieces: (scene.objects.iter())
+                .flat_map(|o| o.collider.iter().map(|piece| (piece.clone(), o.path.clone())))
+                .collect(),
         }
     }
 
@@ -98,13 +105,30 @@ impl Movers {
             Some(collider(shape, body.pose?, body.last_pose))
         };
         let bodies = self.bodies.iter().flat_map(Bodies::all).filter_map(body);
-        self.spheres.iter().map(sphere).chain(bodies).collect()
+        let pieces = self.pieces.iter().map(|piece| of_object(piece, time_s, dt_s));
+        self.spheres.iter().map(sphere).chain(pieces).chain(bodies).collect()
     }
+}
+
+/// A piece of an object, which moves where the object has a path.
+fn of_object(
+    (piece, path): &(ColliderPiece, Option<Path>),
+    time_s: f32,
+    dt_s: f32,
+) -> Collider<'_> {
+    let Some(path) = path else { return Collider::resting(piece.shape(), piece.pose) };
+    let at = |time_s| within(path.pose_at(time_s), piece.pose);
+    collider(piece.shape(), at(time_s), Some(at(time_s - dt_s)))
 }
 
 /// A thing that has not moved since rests.
 fn collider(shape: ColliderShape<'_>, pose: Pose, last_pose: Option<Pose>) -> Collider<'_> {
     Collider { shape, pose, last_pose: last_pose.filter(|last| *last != pose) }
+}
+
+/// A pose within a thing that has a pose itself.
+fn within(outer: Pose, inner: Pose) -> Pose {
+    Pose { translation: outer.point(inner.translation), rotation: outer.rotation * inner.rotation }
 }
 
 fn placed(looks: GpuPlacement, pose: Pose) -> GpuPlacement {

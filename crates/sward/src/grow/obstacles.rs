@@ -34,6 +34,8 @@ pub enum Obstacle {
         solid: Arc<Solid>,
         /// Where it stands; its mesh's space is local.
         pose: Pose,
+        /// How much larger it is here than its mesh, above 0.
+        scale: f32,
     },
 }
 
@@ -72,7 +74,7 @@ impl Obstacle {
             Self::Cuboid { half_extents, pose } => {
                 local(pose, point).abs().cmple(*half_extents).all()
             }
-            Self::Solid { solid, pose } => solid.contains(local(pose, point)),
+            Self::Solid { solid, pose, scale } => solid.contains(local(pose, point) / *scale),
         }
     }
 
@@ -85,7 +87,10 @@ impl Obstacle {
                 (from.min(*to) - *radius, from.max(*to) + *radius)
             }
             Self::Cuboid { half_extents, pose } => turned(pose, (-*half_extents, *half_extents)),
-            Self::Solid { solid, pose } => turned(pose, solid.bounds()),
+            Self::Solid { solid, pose, scale } => {
+                let (low, high) = solid.bounds();
+                turned(pose, (low * *scale, high * *scale))
+            }
         };
         // Rounding must not cut a point off that `contains` would find.
         let slack = (low.abs().max(high.abs()) * 4.0 * f32::EPSILON).max(Vec3::splat(1e-30));
@@ -128,7 +133,10 @@ impl Obstacle {
                     .try_for_each(|&half| length("half_extents", half))?;
                 sound(pose)
             }
-            Self::Solid { pose, .. } => sound(pose),
+            Self::Solid { pose, scale, .. } => {
+                length("scale", *scale)?;
+                sound(pose)
+            }
         }
     }
 }

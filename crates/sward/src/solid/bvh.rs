@@ -88,9 +88,10 @@ impl Bvh {
         self.nodes.first().map_or((Vec3::ZERO, Vec3::ZERO), |node| (node.low, node.high))
     }
 
-    /// The least of a squared distance over the items, each given by its place in the order.
-    pub(crate) fn nearest(&self, point: Vec3, mut item: impl FnMut(u32) -> f32) -> f32 {
-        let mut nearest = f32::INFINITY;
+    /// The least of a squared distance over the items, each given by its place in the order;
+    /// `most` where none is nearer.
+    pub(crate) fn nearest(&self, point: Vec3, most: f32, mut item: impl FnMut(u32) -> f32) -> f32 {
+        let mut nearest = most;
         let mut stack = [(0_u32, 0.0_f32); DEEPEST];
         let mut size = usize::from(!self.nodes.is_empty());
         while size > 0 {

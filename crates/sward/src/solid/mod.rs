@@ -129,9 +129,13 @@ impl Solid {
 
     /// Distance to the nearest triangle, in units, 0 or more.
     fn unit_distance(&self, point: Vec3) -> f32 {
-        self.bvh
-            .nearest(point, |i| nearest::distance_squared(&self.corners[i as usize], point))
-            .sqrt()
+        self.unit_distance_within(point, f32::INFINITY)
+    }
+
+    /// The same, where it is known to be at most `most`.
+    fn unit_distance_within(&self, point: Vec3, most: f32) -> f32 {
+        let triangle = |i: u32| nearest::distance_squared(&self.corners[i as usize], point);
+        self.bvh.nearest(point, most * most, triangle).sqrt()
     }
 
     /// Whether what it encloses has a winding number of -1: its triangles face inwards.

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 /// Points of the whole grid, at most: what a thin shell may cost.
 const MOST: f32 = 4e6;
 /// Points of the coarse grid that measures how much of the box is inside.
-const COARSE: f32 = 3e4;
+const COARSE: f32 = 4e3;
 /// Times that an empty grid is made finer.
 const RETRIES: u32 = 3;
 
@@ -30,15 +30,16 @@ impl Samples {
         // A box that is flat in one axis still gets a layer of points.
         let volume = (high - low).max(Vec3::splat(1e-6)).element_product();
         let coarse = Self::measure(solid, (volume / COARSE).cbrt());
-        let share = (coarse.count() as f32 / coarse.depths.len() as f32).max(1.0 / COARSE);
-        let points = (wanted as f32 / share).min(MOST);
-        let mut step = (volume / points).cbrt();
+        // As many points share the volume inside as are wanted, where the whole is not too many.
+        let finest = (volume / MOST).cbrt();
+        let mut step =
+            (coarse.step * (coarse.count().max(1) as f32 / wanted as f32).cbrt()).max(finest);
         for _ in 0..RETRIES {
             let samples = Self::measure(solid, step);
             if samples.count() > 0 {
                 return Some(samples);
             }
-            step = (step * 0.5).max((volume / MOST).cbrt());
+            step = (step * 0.5).max(finest);
         }
         None
     }
@@ -94,9 +95,13 @@ impl Samples {
             let free = if solid.open_edges > 0 { 0 } else { (depth * 0.999) as usize };
             let end = (x + 1 + free).min(depths.len());
             if inside {
+                let mut last = depth;
                 for (x, depth) in depths.iter_mut().enumerate().take(end).skip(x + 1) {
                     let cell = UVec3::new(x as u32, row % self.size.y, row / self.size.y);
-                    *depth = solid.unit_distance(self.at(cell)) / self.step;
+                    // No point is farther than the one before it by more than a step.
+                    let most = (last + 1.001) * self.step;
+                    *depth = solid.unit_distance_within(self.at(cell), most) / self.step;
+                    last = *depth;
                 }
             }
             x = end;

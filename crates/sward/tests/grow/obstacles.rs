@@ -17,12 +17,16 @@ fn pose(x: f32, y: f32, z: f32) -> Pose {
 }
 
 fn one_of_each() -> Vec<Obstacle> {
-    let torus = Solid::new(&Mesh::torus(2.0, 0.7, UVec2::new(48, 24)).unwrap()).unwrap();
+    let torus = Solid::new(&Mesh::torus(1.0, 0.35, UVec2::new(48, 24)).unwrap()).unwrap();
     vec![
         Obstacle::Sphere(Sphere { center: Vec3::new(-5.0, 0.0, -5.0), radius: 2.5 }),
         Obstacle::Capsule { from: Vec3::X * 3.0, to: Vec3::new(8.0, 1.0, -6.0), radius: 1.2 },
         Obstacle::Cuboid { half_extents: Vec3::new(1.0, 4.0, 2.0), pose: pose(6.0, 0.0, 6.0) },
-        Obstacle::Solid { solid: Arc::new(torus), pose: Pose::at(Vec3::new(-6.0, 0.0, 6.0)) },
+        Obstacle::Solid {
+            solid: Arc::new(torus),
+            pose: Pose::at(Vec3::new(-6.0, 0.0, 6.0)),
+            scale: 2.0,
+        },
     ]
 }
 
@@ -72,7 +76,7 @@ fn hundreds_of_obstacles_cost_little() {
     let rock = Arc::new(Solid::new(&Mesh::sphere(0.4, 28).unwrap()).unwrap());
     let rocks = (0..400).map(|i| {
         let pose = pose((i % 20) as f32 * 2.0 - 19.0, 0.1, (i / 20) as f32 * 2.0 - 19.0);
-        Obstacle::Solid { solid: rock.clone(), pose }
+        Obstacle::Solid { solid: rock.clone(), pose, scale: 1.0 }
     });
     let timed = |desc: &FieldDesc| {
         let start = Instant::now();

@@ -8,6 +8,7 @@ pub(crate) mod heights;
 pub(crate) mod image;
 pub(crate) mod mesh;
 pub(crate) mod obj;
+pub(crate) mod packs;
 
 pub use image::TextureImage;
 

@@ -1,11 +1,13 @@
 //! Objects: the opaque things of a scene.
 
+mod collide;
 pub(crate) mod generate;
 pub(crate) mod ground;
 mod place;
 pub(crate) mod random;
 mod shapes;
 
+pub use collide::ColliderPiece;
 pub(crate) use place::{Placed, find};
 
 use crate::TextureImage;
@@ -31,6 +33,9 @@ pub struct Object {
     pub dropped_triangles: usize,
     /// Base colour texture, through the mesh's UVs, wrapping, row 0 at v = 0.
     pub texture: Option<TextureImage>,
+    /// How it pushes grass aside, one piece a copy; none where it does not. Of an object with
+    /// several materials, the first part has the pieces of the whole.
+    pub collider: Vec<ColliderPiece>,
     /// Where it moves; its mesh then is in its own space.
     pub path: Option<crate::Path>,
 }

@@ -1,5 +1,6 @@
 //! Placing objects: transforms, copies, and what stands on what.
 
+use super::collide::{ColliderPiece, Pieces, Stand};
 use super::ground::Ground;
 use super::random::Random;
 use super::{Object, generate};
@@ -12,7 +13,7 @@ use crate::motion::{self, euler_deg};
 use crate::schema::{ObjectFile, ScatterFile, Source};
 use glam::{Affine3A, Quat, Vec2, Vec3, Vec3Swizzles};
 use std::cell::OnceCell;
-use sward::Mesh;
+use sward::{Mesh, Obstacle};
 
 /// A scene's object, made and placed: one part a material.
 #[derive(Debug)]
@@ -21,6 +22,7 @@ pub(crate) struct Placed {
     pub(crate) parts: Vec<Part>,
     visible: bool,
     path: Option<Path>,
+    collider: Vec<ColliderPiece>,
     ground: OnceCell<Ground>,
 }
 
@@ -41,51 +43,31 @@ impl Placed {
         key: &Key,
     ) -> Result<Self, SceneError> {
         let parts = generate::parts(context, source, key, 0)?;
-        Ok(Self { name, parts, visible: true, path: None, ground: OnceCell::new() })
+        let (path, collider, ground) = (None, Vec::new(), OnceCell::new());
+        Ok(Self { name, parts, visible: true, path, collider, ground })
     }
 
-    /// An object with its transform and copies; `others` are those listed before it.
+    /// An object with its transform and copies; `others` are those listed before it, `carries`
+    /// whether grass grows on it.
     pub(crate) fn from_file(
         context: &mut Context,
         file: &ObjectFile,
         index: usize,
         others: &[Self],
+        carries: impl Fn(&str) -> bool,
     ) -> Result<Self, SceneError> {
         let key = Key::list("objects", index);
         let name = file.name.clone().unwrap_or_else(|| format!("object {index}"));
         let transform = transform(file, &key).map_err(|problem| context.error(problem))?;
         let path = path(file, &key, others).map_err(|problem| context.error(problem))?;
         let copies = copies(file, &key, others).map_err(|problem| context.error(problem))?;
-        let mut parts: Vec<Part> = Vec::new();
-        let same = !matches!(file.source, Source::Rock(_) | Source::Tree(_));
-        let mut made = generate::parts(context, &file.source, &key.at("source"), 0)?;
-        for copy in &copies {
-            if !same && copy.number > 0 {
-                made = generate::parts(context, &file.source, &key.at("source"), copy.number)?;
-            }
-            let placed = Affine3A::from_scale_rotation_translation(
-                Vec3::splat(copy.scale),
-                Quat::from_rotation_y(copy.turn),
-                copy.at,
-            );
-            for (i, part) in made.iter().enumerate() {
-                let mut part = part.clone();
-                mesh::transform(&mut part.mesh, placed * transform);
-                match parts.get_mut(i) {
-                    Some(all) => mesh::append(&mut all.mesh, &part.mesh),
-                    None => parts.push(part),
-                }
-            }
-            let vertices: usize = parts.iter().map(|part| part.mesh.positions.len()).sum();
-            if vertices > MAX_VERTICES {
-                let cause = format!("its copies have more than {MAX_VERTICES} vertices; use fewer");
-                return Err(context.error(key.problem(cause)));
-            }
-        }
-        mesh::check(parts.iter().map(|part| &part.mesh))
-            .map_err(|cause| context.error(key.problem(cause)))?;
+        let mut pieces = Pieces::new(file, &key, carries(&name), copies.len())
+            .map_err(|problem| context.error(problem))?;
+        let parts = assemble(context, file, &key, transform, &copies, &mut pieces)?;
+        let stands: Vec<Stand> = copies.iter().map(Copy::stand).collect();
+        let collider = pieces.finish(context, &name, transform, &stands)?;
         let ground = OnceCell::new();
-        let mut placed = Self { name, parts, visible: file.visible, path, ground };
+        let mut placed = Self { name, parts, visible: file.visible, path, collider, ground };
         placed.set_looks(context, file, &key)?;
         Ok(placed)
     }
@@ -126,6 +108,12 @@ impl Placed {
         merged
     }
 
+    /// What keeps roots out: what moves does not.
+    pub(crate) fn obstacles(&self) -> impl Iterator<Item = Obstacle> {
+        let resting = self.collider.iter().filter(|_| self.path.is_none());
+        resting.map(ColliderPiece::obstacle)
+    }
+
     pub(crate) fn ground(&self) -> &Ground {
         self.ground.get_or_init(|| Ground::new(&self.merged()))
     }
@@ -135,6 +123,7 @@ impl Placed {
         let alone = self.parts.len() == 1;
         let parts = self.parts.into_iter().enumerate();
         let object = |(i, part): (usize, Part)| Object {
+            collider: if i == 0 { self.collider.clone() } else { Vec::new() },
             name: if alone { self.name.clone() } else { format!("{} part {i}", self.name) },
             base_color: part.base_color.unwrap_or(
                 match (part.mesh.colors.is_empty() && part.texture.is_none(), carries_grass) {
@@ -155,6 +144,51 @@ impl Placed {
         };
         parts.map(object).collect()
     }
+}
+
+impl Copy {
+    fn stand(&self) -> Stand {
+        Stand { scale: self.scale, turn: Quat::from_rotation_y(self.turn), at: self.at }
+    }
+}
+
+/// The meshes of all copies, one part a material; `pieces` gets each mesh before it is placed.
+fn assemble(
+    context: &mut Context,
+    file: &ObjectFile,
+    key: &Key,
+    transform: Affine3A,
+    copies: &[Copy],
+    pieces: &mut Pieces,
+) -> Result<Vec<Part>, SceneError> {
+    let mut parts: Vec<Part> = Vec::new();
+    let same = !matches!(file.source, Source::Rock(_) | Source::Tree(_));
+    let mut made = generate::parts(context, &file.source, &key.at("source"), 0)?;
+    pieces.take(&made);
+    for copy in copies {
+        if !same && copy.number > 0 {
+            made = generate::parts(context, &file.source, &key.at("source"), copy.number)?;
+            pieces.take(&made);
+        }
+        let Stand { scale, turn, at } = copy.stand();
+        let placed = Affine3A::from_scale_rotation_translation(Vec3::splat(scale), turn, at);
+        for (i, part) in made.iter().enumerate() {
+            let mut part = part.clone();
+            mesh::transform(&mut part.mesh, placed * transform);
+            match parts.get_mut(i) {
+                Some(all) => mesh::append(&mut all.mesh, &part.mesh),
+                None => parts.push(part),
+            }
+        }
+        let vertices: usize = parts.iter().map(|part| part.mesh.positions.len()).sum();
+        if vertices > MAX_VERTICES {
+            let cause = format!("its copies have more than {MAX_VERTICES} vertices; use fewer");
+            return Err(context.error(key.problem(cause)));
+        }
+    }
+    mesh::check(parts.iter().map(|part| &part.mesh))
+        .map_err(|cause| context.error(key.problem(cause)))?;
+    Ok(parts)
 }
 
 /// Colour of an object that sets none.

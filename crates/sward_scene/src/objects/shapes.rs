@@ -173,6 +173,12 @@ pub(super) fn tree(tree: &Tree) -> Mesh {
     mesh
 }
 
+/// The trunk near the ground as a capsule: from below the foot to a third of the height, with the
+/// radius that it has at the ground.
+pub(super) fn trunk_capsule(height_m: f32) -> (Vec3, Vec3, f32) {
+    (Vec3::NEG_Y * height_m * 0.1, Vec3::Y * height_m * 0.33, height_m * 0.0302)
+}
+
 fn trunk(tree: &Tree, random: &mut Random) -> Mesh {
     let (foot, top) = (tree.height_m * 0.035, tree.height_m * 0.75);
     let lean = Vec3::new(random.between(-0.05, 0.05), 0.0, random.between(-0.05, 0.05));

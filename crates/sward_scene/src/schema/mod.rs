@@ -4,6 +4,7 @@
 //! are relative to the scene file.
 
 mod bodies;
+mod collide;
 mod field;
 mod light;
 mod motion;
@@ -13,6 +14,7 @@ mod value;
 mod wind;
 
 pub use bodies::{BodiesFile, BodyShapeFile};
+pub use collide::{CollideFile, PackedFile};
 pub use field::{
     ColorFile, DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile,
     SpeciesFile, TuftsFile,

@@ -1,6 +1,6 @@
 //! Keys for objects.
 
-use super::{Color, PathFile, Source, Span};
+use super::{CollideFile, Color, PathFile, Source, Span};
 use serde::Deserialize;
 
 /// An opaque thing.
@@ -34,6 +34,9 @@ pub struct ObjectFile {
     /// Whether it is drawn and hides what is behind; default true.
     #[serde(default = "yes")]
     pub visible: bool,
+    /// How it pushes grass aside and keeps roots out; default `Auto`.
+    #[serde(default)]
+    pub collide: CollideFile,
     /// Where it moves, after scale, turn and shift; default: it rests. Not with `at` or `scatter`,
     /// and no grass grows on it.
     #[serde(default)]

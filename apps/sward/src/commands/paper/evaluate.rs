@@ -2,7 +2,7 @@
 
 use super::quantity::{Condition, SceneName};
 use crate::commands::grow_timed;
-use crate::measure::{self, Measured, Measuring, Report, frames_run};
+use crate::measure::{self, COUNTED_FRAMES, Measured, Measuring, Report, frames_run};
 use crate::progress;
 use anyhow::{Context, Result};
 use image::RgbImage;
@@ -24,7 +24,7 @@ pub struct Settings {
 impl Settings {
     /// Number of the frame, at 60 a second from the scene's time 0, that was counted and drawn.
     pub fn counted_frame(&self) -> u32 {
-        frames_run(self.frames)
+        frames_run(self.frames) + COUNTED_FRAMES
     }
 }
 
@@ -47,7 +47,7 @@ pub fn evaluate(gpu: &Gpu, name: SceneName, scene: &Scene, settings: Settings) -
     let bar = progress::bar(
         settings.quiet,
         &format!("measuring {}", name.key()),
-        u64::from(settings.counted_frame()) * Condition::ALL.len() as u64,
+        u64::from(frames_run(settings.frames)) * Condition::ALL.len() as u64,
     );
     let options = Condition::ALL.map(|condition| options(scene, condition, settings));
     let options = options.into_iter().collect::<Result<Vec<_>>>()?;
@@ -62,10 +62,8 @@ pub fn evaluate(gpu: &Gpu, name: SceneName, scene: &Scene, settings: Settings) -
     let times: Vec<_> = measuring.into_iter().map(|measuring| measuring.times).collect();
     let runs = Condition::ALL.into_iter().zip(options).zip(stages.into_iter().zip(times));
     runs.map(|((condition, options), (mut stage, times))| {
-        // Time stands still from here on: what is counted is the frame that is drawn.
-        let statistics = measure::statistics(gpu, &mut stage, true)?
+        let statistics = measure::statistics(gpu, &mut stage, false)?
             .context("the device gave no statistics back")?;
-        stage.step(0.0)?;
         let picture = stage.render()?;
         let gpu_bytes = stage.gpu_bytes();
         let measured = Measured { times, statistics, gpu_bytes, patch_size, grow_s };

@@ -4,7 +4,7 @@ use super::evaluate::{Run, Settings};
 use super::grid::Grid;
 use super::published::Published;
 use super::quantity::{Condition, Quantity, SceneName};
-use crate::measure::warm_up_frames;
+use crate::measure::{frames_run, warm_up_frames};
 use crate::table::thousands;
 use anyhow::Result;
 use serde_json::{Value as Json, json};
@@ -89,7 +89,7 @@ impl Results {
             format!(
                 "Each scene runs at 60 frames a second of its own time, from its time 0. Whole \
                  frames, recorded as a program would, are measured from {} to {}; frames {} to \
-                 {counted} are run stage by stage, each submitted and waited for, so their sum is \
+                 {} are run stage by stage, each submitted and waited for, so their sum is \
                  above a whole frame. Times are medians over {frames} frames \
                  with the 99th percentile behind them, by wall clock; frames a second are those of \
                  the median whole frame. The three conditions of a scene are measured in turns of \
@@ -97,6 +97,7 @@ impl Results {
                 warm_up + 1,
                 warm_up + frames,
                 warm_up + frames + 2,
+                frames_run(frames),
             ),
             "Physics is wind, collision and the motion of blades; visibility is the culling of \
              patches and blades, the choice of levels and the draw lists; draw is the opaque \
