@@ -1,11 +1,13 @@
-"""Makes fox.obj, fox.png, spot.obj, spot.png and spot_coat.png: see LICENSES.md.
+"""Makes fox.obj, fox.png, fox_coat.png, spot.obj, spot.png and spot_coat.png: see LICENSES.md.
 
     python3 fur_models.py Fox.glb spot.obj     # writes beside this file
 
-Needs numpy and Pillow. The fox is smoothed, as it has few triangles, and its texture kept; the cow
-keeps its shape, and gets a coat painted by place, so that no seam of its texture shows.
+Needs numpy and Pillow. The fox is smoothed, as it has few triangles, and keeps its texture, with eyes and
+nose painted over; the cow keeps its shape, and gets a coat painted by place, so that no seam of its
+texture shows. White in a coat's map bears hair.
 """
 
+import io
 import json
 import struct
 import sys
@@ -207,24 +209,60 @@ def blend(under, over, share):
     return under + (numpy.array(over) - under) * share[:, None]
 
 
+def spot_at(at, middle, radii):
+    """1 inside an ellipsoid, 0 outside; mirrored in x."""
+    off = (numpy.abs(at[:, :1]), at[:, 1:])
+    far = numpy.linalg.norm((numpy.hstack(off) - middle) / radii, axis=1)
+    return 1 - step(far, 0.82, 1.0)
+
+
 def cow(at):
-    """A coat of dark patches on cream; muzzle, udder and hooves bare. sRGB."""
+    """A coat of dark patches on cream; muzzle, eyes and hooves bare. sRGB."""
     color = numpy.tile([0.90, 0.86, 0.78], (len(at), 1))
     color = color + 0.03 * waves(at, 4, 30)[:, None]
     dark = step(waves(at, 21, 4.2), 0.10, 0.22)
     color = blend(color, [0.17, 0.10, 0.065], dark)
-    return blend(color, [0.83, 0.53, 0.47], bare(at))
+    color = blend(color, [0.83, 0.53, 0.47], spot_at(at, *MUZZLE))
+    color = blend(color, [0.30, 0.13, 0.12], spot_at(at, *NOSTRIL))
+    color = blend(color, [0.22, 0.19, 0.17], 1 - step(at[:, 1], 0.03, 0.07))
+    color = blend(color, [0.03, 0.02, 0.02], spot_at(at, *COW_EYE))
+    return blend(color, [0.95, 0.95, 0.95], spot_at(at, *COW_GLINT))
 
 
-def bare(at):
-    """The share of skin that shows: muzzle and hooves."""
-    muzzle = numpy.linalg.norm((at - MUZZLE) / [0.24, 0.14, 0.13], axis=1)
-    hooves = at[:, 1]
-    return numpy.maximum(1 - step(muzzle, 0.75, 1.0), 1 - step(hooves, 0.03, 0.07))
+def cow_hair(at):
+    """Where the cow bears hair."""
+    hooves = 1 - step(at[:, 1], 0.03, 0.07)
+    bare = numpy.maximum(spot_at(at, *MUZZLE), spot_at(at, *COW_EYE))
+    return (1 - numpy.maximum(hooves, bare))[:, None].repeat(3, 1)
 
 
-# In the scene's metres, after `place`.
-MUZZLE = numpy.array([0.0, 0.55, -0.54])
+def fox_hair(at):
+    """Where the fox bears hair."""
+    bare = numpy.maximum(spot_at(at, *FOX_EYE), spot_at(at, *FOX_NOSE))
+    return (1 - bare)[:, None].repeat(3, 1)
+
+
+def fox_face(image, mesh):
+    """The fox's own image, with eyes and nose over it."""
+    size = image.size[0]
+    face = paint(size, *mesh, lambda at: 1 - fox_hair(at))
+    share = numpy.asarray(face, float)[:, :, :1] / 255
+    glint = paint(size, *mesh, lambda at: spot_at(at, *FOX_GLINT)[:, None].repeat(3, 1))
+    glint = numpy.asarray(glint, float)[:, :, :1] / 255
+    drawn = numpy.asarray(image.convert("RGB"), float)
+    drawn = drawn * (1 - share) + numpy.array([14, 11, 10]) * share
+    drawn = drawn * (1 - glint) + 240 * glint
+    return Image.fromarray(drawn.round().astype(numpy.uint8))
+
+
+# Ellipsoids in the scene's metres, after `place`: middle (x as on one side) and half axes.
+MUZZLE = ([0.0, 0.55, -0.54], [0.24, 0.14, 0.13])
+NOSTRIL = ([0.07, 0.60, -0.50], [0.022, 0.02, 0.06])
+COW_EYE = ([0.135, 0.765, -0.40], [0.032, 0.05, 0.10])
+COW_GLINT = ([0.127, 0.785, -0.40], [0.009, 0.013, 0.10])
+FOX_EYE = ([0.053, 0.530, 0.538], [0.024, 0.016, 0.019])
+FOX_GLINT = ([0.050, 0.536, 0.545], [0.006, 0.005, 0.008])
+FOX_NOSE = ([0.0, 0.462, 0.645], [0.026, 0.026, 0.03])
 
 
 def main():
@@ -232,14 +270,16 @@ def main():
     points, triangles, kept = weld(points, triangles)
     mesh = (points, uvs, triangles, uv_triangles[kept])
     mesh = subdivide(*mesh)
-    write_obj("fox", place(mesh[0], 0.62), *mesh[1:])
-    (HERE / "fox.png").write_bytes(image)
+    mesh = (place(mesh[0], 0.62), *mesh[1:])
+    write_obj("fox", *mesh)
+    fox_face(Image.open(io.BytesIO(image)), mesh).save(HERE / "fox.png", optimize=True)
+    paint(256, *mesh, fox_hair).convert("L").save(HERE / "fox_coat.png", optimize=True)
 
     points, uvs, triangles, uv_triangles = read_obj(sys.argv[2])
     points = place(points, 1.0)
     write_obj("spot", points, uvs, triangles, uv_triangles)
     paint(512, points, uvs, triangles, uv_triangles, cow).save(HERE / "spot.png", optimize=True)
-    coat = paint(256, points, uvs, triangles, uv_triangles, lambda p: 1 - bare(p)[:, None].repeat(3, 1))
+    coat = paint(256, points, uvs, triangles, uv_triangles, cow_hair)
     coat.convert("L").save(HERE / "spot_coat.png", optimize=True)
 
 

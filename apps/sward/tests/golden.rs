@@ -6,30 +6,32 @@ mod common;
 use common::golden::{draw, golden};
 use common::{Folder, scene};
 
+const SIZE: &str = "256x192";
+
 #[test]
 fn tiny() {
-    golden("tiny", &[&scene("tiny.ron")]);
+    golden("tiny", SIZE, &[&scene("tiny.ron")]);
 }
 
 #[test]
 fn tiny_in_the_wind() {
-    golden("tiny_wind", &[&scene("tiny.ron"), "--time", "1.5", "--camera", "side"]);
+    golden("tiny_wind", SIZE, &[&scene("tiny.ron"), "--time", "1.5", "--camera", "side"]);
 }
 
 #[test]
 fn tiny_reference() {
-    golden("tiny_reference", &[&scene("tiny.ron"), "--reference"]);
+    golden("tiny_reference", SIZE, &[&scene("tiny.ron"), "--reference"]);
 }
 
 #[test]
 fn tiny_as_in_the_paper() {
-    golden("tiny_paper", &[&scene("tiny.ron"), "--physics", "paper", "--culling", "paper"]);
+    golden("tiny_paper", SIZE, &[&scene("tiny.ron"), "--physics", "paper", "--culling", "paper"]);
 }
 
 #[test]
 fn the_same_frame_twice_is_bit_equal() {
     let folder = Folder::new();
     let arguments: &[&str] = &[&scene("tiny.ron"), "--time", "0.5"];
-    let (one, two) = (draw(&folder, "one", arguments), draw(&folder, "two", arguments));
+    let (one, two) = (draw(&folder, "one", SIZE, arguments), draw(&folder, "two", SIZE, arguments));
     assert!(one == two, "the same frame differs");
 }

@@ -19,9 +19,9 @@ pub fn stored(name: &str) -> PathBuf {
 }
 
 /// Renders a small picture.
-pub fn draw(folder: &Folder, name: &str, arguments: &[&str]) -> RgbImage {
+pub fn draw(folder: &Folder, name: &str, size: &str, arguments: &[&str]) -> RgbImage {
     let file = format!("{name}.png");
-    let size = ["--size", "256x192", "-o", &file];
+    let size = ["--size", size, "-o", &file];
     let output = folder.sward(&[&["render"], arguments, &size[..]].concat());
     // Without an adapter this fails, loudly, as it should.
     assert!(output.status.success(), "{name}: {}", stderr(&output));
@@ -29,9 +29,9 @@ pub fn draw(folder: &Folder, name: &str, arguments: &[&str]) -> RgbImage {
 }
 
 /// Renders and compares.
-pub fn golden(name: &str, arguments: &[&str]) {
+pub fn golden(name: &str, size: &str, arguments: &[&str]) {
     let folder = Folder::new();
-    let picture = draw(&folder, name, arguments);
+    let picture = draw(&folder, name, size, arguments);
     if std::env::var_os("SWARD_BLESS").is_some() {
         picture.save(stored(name)).unwrap();
         return;

@@ -41,7 +41,7 @@ fn the_bunny_into_a_thousand_spheres() {
     assert_eq!(packing.spheres.len(), 1000);
     assert!(covered >= 0.95, "{covered} covered");
     assert!(bulge <= 0.01, "bulge {bulge}");
-    // For an open mesh the nearest triangle may be far: no sphere may reach out of a hole either.
+    // Nor does any sphere leave it, by points on spheres a little smaller.
     let (low, high) = solid.bounds();
     let diagonal = low.distance(high);
     for (i, sphere) in packing.spheres.iter().enumerate() {

@@ -27,7 +27,7 @@ pub fn sphere(radius: f32) -> Mesh {
     Mesh::sphere(radius, 24).unwrap()
 }
 
-/// The Stanford bunny that the scenes use: it has five holes in its base.
+/// The Stanford bunny that the scenes use.
 pub fn bunny() -> Mesh {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/assets/bunny.obj");
     let mut mesh = Mesh::default();
