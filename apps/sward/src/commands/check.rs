@@ -59,6 +59,8 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     facts.row(["cameras", &cameras.join(", ")]);
     facts.row(["wind sources", &scene.wind.len().to_string()]);
     facts.row(["spheres", &scene.spheres.len().to_string()]);
+    let bodies: usize = scene.bodies.iter().map(sward_scene::BodyGroup::count).sum();
+    facts.row(["bodies", &bodies.to_string()]);
     facts.row(["grown in", &format!("{grow_s:.2} s")]);
     facts.row(["GPU memory of the grass", &format!("{} bytes", thousands(stage.gpu_bytes()))]);
     facts.row(["max_buffer_size", &thousands(limits.max_buffer_size)]);

@@ -266,8 +266,11 @@ fn body_collider(shape: BodyShape, scale: f32) -> ColliderBuilder {
 /// Edges inside a mesh are no bumps, and either side of it is solid.
 fn mesh_collider(mesh: &sward::Mesh) -> Option<ColliderBuilder> {
     let flags = TriMeshFlags::FIX_INTERNAL_EDGES_TWO_SIDED;
-    let (vertices, triangles) = (mesh.positions.clone(), mesh.triangles.clone());
-    // A mesh that it cannot take is passed through; a surface that was checked is none
-    let collider = ColliderBuilder::trimesh_with_flags(vertices, triangles, flags).ok()?;
+    let parts = || (mesh.positions.clone(), mesh.triangles.clone());
+    let (vertices, triangles) = parts();
+    let joined = ColliderBuilder::trimesh_with_flags(vertices, triangles, flags);
+    let plain = || ColliderBuilder::trimesh(parts().0, parts().1);
+    // Only a mesh without triangles is none at all, and no surface that was checked is so
+    let collider = joined.or_else(|_| plain()).ok()?;
     Some(collider.friction(0.8).restitution(0.5))
 }
