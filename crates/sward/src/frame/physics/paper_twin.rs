@@ -22,7 +22,7 @@ pub fn step_s(blade: &Blade, gap_s: f64) -> f64 {
 /// only. `lean` is the way out for a point at the centre.
 ///
 /// Ours, as J has spheres only: a capsule is the sphere on its axis that is nearest to the point,
-/// and a box moves the point out of its nearest face, see [`way_out`].
+/// and a box moves the point out of its nearest face, see `way_out`.
 pub fn push_out(point: DVec3, primitive: &Primitive, blade: &Blade, lean: DVec3) -> DVec3 {
     match *primitive {
         Primitive::Capsule { from, to, radius } | Primitive::Swept { from, to, radius } => {
