@@ -74,6 +74,15 @@ fn states() {
 }
 
 #[test]
+fn debug_views_and_cameras() {
+    let known = "patches, culling, level, awake, crush, wireframe, half-wireframe";
+    render(&["-o", "a.png", "--debug", "fancy"], known);
+    render(&["-o", "a.png", "--debug", "level", "--reference"], "--reference");
+    render(&["-o", "a.png", "--culling-camera", "roof"], "main, side");
+    render(&["-o", "a.png", "--level", "4"], "0..=3");
+}
+
+#[test]
 fn samples() {
     render(&["-o", "a.png", "--samples", "3"], "this adapter has 1, 4");
     render(&["-o", "a.png", "--samples", "0"], "this adapter has 1, 4");

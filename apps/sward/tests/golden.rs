@@ -29,6 +29,23 @@ fn tiny_as_in_the_paper() {
 }
 
 #[test]
+fn debug_views() {
+    for view in ["patches", "culling", "level", "awake", "crush", "wireframe", "half-wireframe"] {
+        golden(
+            &format!("debug/{view}"),
+            SIZE,
+            &[&scene("tiny.ron"), "--time", "0.5", "--debug", view],
+        );
+    }
+}
+
+#[test]
+fn culling_seen_from_another_camera() {
+    let cameras = ["--camera", "side", "--culling-camera", "main", "--debug", "culling"];
+    golden("debug/culling_camera", SIZE, &[&[scene("tiny.ron").as_str()], &cameras[..]].concat());
+}
+
+#[test]
 fn the_same_frame_twice_is_bit_equal() {
     let folder = Folder::new();
     let arguments: &[&str] = &[&scene("tiny.ron"), "--time", "0.5"];

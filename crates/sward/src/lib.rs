@@ -78,6 +78,7 @@
 
 pub mod collider;
 pub mod color_map;
+pub mod debug;
 pub mod error;
 pub mod field;
 pub mod frame;
@@ -96,6 +97,7 @@ mod pipeline_tests;
 
 pub use collider::{Collider, ColliderShape, Pose};
 pub use color_map::{ColorImage, ColorMap};
+pub use debug::{DebugColor, DebugView, Observer};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
 pub use frame::wind::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindSource};

@@ -3,6 +3,7 @@
 use crate::frame::collide::Collide;
 use crate::frame::compact::Compact;
 use crate::frame::cull::Cull;
+use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
 use crate::frame::draw::topology::vertices_by_bucket;
 use crate::frame::update::{Update, Work};
@@ -15,6 +16,7 @@ use crate::gpu::view::{check_view, gpu_view};
 use crate::{Error, Field, Frame, PhysicsModel, Statistics, View};
 
 mod clock;
+mod debugging;
 mod inputs;
 mod layouts;
 mod saved;
@@ -82,6 +84,8 @@ pub struct Renderer {
     update: Update,
     compact: Compact,
     draw: Draw,
+    /// Made when a view first asks for a debug view.
+    debug: Option<Debug>,
     inputs: Inputs,
     clock: Clock,
     model: PhysicsModel,
@@ -106,6 +110,7 @@ impl Renderer {
             update: Update::new(device, &layouts),
             compact: Compact::new(device, &layouts),
             draw: Draw::new(device, &layouts, targets),
+            debug: None,
             inputs: Inputs::new(device, &layouts),
             clock: Clock::default(),
             model: PhysicsModel::default(),
@@ -226,6 +231,7 @@ impl Renderer {
             if index == 0 {
                 self.record_statistics(device, encoder);
             }
+            self.finish_view(device, encoder, index, view);
         }
         Ok(())
     }
@@ -304,8 +310,10 @@ impl Renderer {
     /// [`Renderer::new`].
     pub fn draw(&self, pass: &mut wgpu::RenderPass, view: usize) {
         pass.set_bind_group(0, self.inputs.draw_group(), &[]);
-        for page in &self.pages {
-            self.draw.encode(pass, page, view);
+        for page in self.pages.iter().enumerate() {
+            if !self.debug.as_ref().is_some_and(|debug| debug.encode(pass, page, view)) {
+                self.draw.encode(pass, page.1, view);
+            }
         }
     }
 
@@ -340,6 +348,10 @@ impl Renderer {
 
     pub(crate) fn counts_in_flight(&self) -> bool {
         self.read_back.in_flight()
+    }
+
+    pub(crate) fn explained(&self, page: usize) -> Option<&wgpu::Buffer> {
+        self.debug.as_ref()?.explained.get(page)
     }
 
     /// Forgets every field.

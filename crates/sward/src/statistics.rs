@@ -13,6 +13,10 @@ pub struct Statistics {
     pub blades_visible: u64,
     /// Blades drawn.
     pub blades_drawn: u64,
+    /// Those by level: with 8, 4, 2 and 1 segments.
+    pub drawn_by_level: [u64; 4],
+    /// Blades that the step moved; the others sleep.
+    pub blades_moved: u64,
     /// Failed the orientation test (a blade that fails two tests counts in both).
     pub culled_orientation: u64,
     /// Failed the frustum test.

@@ -1,5 +1,6 @@
 //! Views: cameras and shadow cascades that share one simulation.
 
+use crate::{DebugView, Observer};
 use glam::Mat4;
 
 /// Which tests cull blades, and how.
@@ -50,6 +51,11 @@ pub struct View<'a> {
     /// Draws every blade at this level, 0 to 3: with 8, 4, 2 or 1 segments, without morphs; `None`
     /// chooses by size. For pictures that compare levels; more segments cost more vertices.
     pub level: Option<u8>,
+    /// What to show in place of the blades' own look; `None` is their look. Of
+    /// [`crate::Renderer::cull`] only, as is `observer`.
+    pub debug: Option<DebugView>,
+    /// Draws what this view culled as another camera sees it; `opaque_depth` stays this view's.
+    pub observer: Option<Observer>,
     /// Keep blades at least a pixel wide (J equation 24); off for supersampled references.
     pub width_correction: bool,
     /// Most blades to list; `None` has room for all (4 bytes a blade of the field and view). What
@@ -69,6 +75,8 @@ impl View<'_> {
             culling: Culling::default(),
             detail: 1.0,
             level: None,
+            debug: None,
+            observer: None,
             width_correction: true,
             max_blades: None,
         }

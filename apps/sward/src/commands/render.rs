@@ -1,5 +1,7 @@
 //! `sward render`: pictures and sequences.
 
+mod look;
+
 use super::{grow_timed, load, tell, tell_notes};
 use crate::args::{self, Frames, Size};
 use crate::output::{Output, write_picture};
@@ -8,6 +10,7 @@ use crate::states::States;
 use crate::table::thousands;
 use crate::video::Video;
 use anyhow::{Context, Result};
+use look::{DebugChoice, Look};
 use std::io::Write;
 use std::ops::Range;
 use std::path::PathBuf;
@@ -25,6 +28,7 @@ Examples:
   sward render scenes/meadow.ron -o f/%04d.png --frames 0..120 --fps 30
   sward render scenes/balls.ron -o balls.mp4 --frames 0..240
   sward render scenes/balls.ron -o f/%04d.png --frames 0..240 --state-every 60
+  sward render scenes/nature.ron -o levels.png --debug level
   sward render scenes/meadow.ron -o truth.png --reference";
 
 /// Render a scene to a picture, or to a sequence of them
@@ -71,6 +75,15 @@ pub struct Args {
     /// Draw every blade at one level of detail: 0 to 3 for 8, 4, 2 or 1 segments
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=3))]
     level: Option<u8>,
+    /// Show something else in place of the blades' look, with a legend
+    #[arg(long, value_enum, value_name = "NAME", conflicts_with = "reference")]
+    debug: Option<DebugChoice>,
+    /// Cull for this camera of the scene while another one looks on; its frustum is drawn
+    #[arg(long, value_name = "NAME", conflicts_with = "reference")]
+    culling_camera: Option<String>,
+    /// Write the fields' names under them
+    #[arg(long)]
+    labels: bool,
     /// All blades at full detail, 64 samples a pixel, averaged in linear light; slow
     #[arg(long, conflicts_with_all = ["samples", "culling"])]
     reference: bool,
@@ -111,6 +124,7 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     let blades = blade_count(&fields);
     let samples = if options.reference { 64 } else { options.samples };
     let start = Instant::now();
+    let look = Look::new(args.debug, args.labels, (&scene, &fields), &options);
     let mut stage = Stage::new(&gpu, &scene, &fields, options)?;
     drop(fields);
     tell_notes(&scene, quiet);
@@ -119,9 +133,10 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     }
     let mut from = String::new();
     match &args.frames {
-        None => render_single(&mut stage, clock, args.time, &mut sink, quiet)?,
+        None => render_single((&mut stage, &look), clock, args.time, &mut sink, quiet)?,
         Some(frames) => {
-            let mut run = FrameRun { stage: &mut stage, clock, states: states.as_ref(), quiet };
+            let mut run =
+                FrameRun { stage: &mut stage, look: &look, clock, states: states.as_ref(), quiet };
             let first = run.render(&frames.0, args.state_every, &mut sink)?;
             if first > 0 {
                 from = format!("; started from the state of frame {first}");
@@ -159,6 +174,9 @@ fn options(args: &Args, scene: &Scene, gpu: &Gpu) -> Result<StageOptions> {
     let mut options = StageOptions::new(scene, args.camera.as_deref(), args.size.0, samples)?;
     options.reference = args.reference;
     options.level = args.level;
+    Look::prepare(args.debug, &mut options);
+    let culls = args.culling_camera.as_deref();
+    options.culling_camera = culls.map(|name| scene.camera(Some(name)).cloned()).transpose()?;
     match args.physics {
         Some(Physics::Sward) => options.physics = PhysicsModel::Sward,
         Some(Physics::Paper) => options.physics = PhysicsModel::Paper,
@@ -234,7 +252,7 @@ fn run_states(
 }
 
 fn render_single(
-    stage: &mut Stage,
+    (stage, look): (&mut Stage, &Look),
     clock: Clock,
     time_s: f64,
     sink: &mut Sink,
@@ -246,12 +264,13 @@ fn render_single(
         stage.step(dt_s)?;
         bar.step();
     }
-    sink.add(0, &stage.render()?)
+    sink.add(0, &look.picture(stage)?)
 }
 
 /// A run of frames.
 struct FrameRun<'a> {
     stage: &'a mut Stage,
+    look: &'a Look,
     clock: Clock,
     states: Option<&'a States>,
     quiet: bool,
@@ -272,7 +291,7 @@ impl FrameRun<'_> {
                 self.clock.frame().try_for_each(|dt_s| self.stage.step(dt_s))?;
             }
             if frames.contains(&frame) {
-                sink.add(frame, &self.stage.render()?)?;
+                sink.add(frame, &self.look.picture(self.stage)?)?;
             }
             bar.step();
         }

@@ -9,6 +9,7 @@ mod fullscreen;
 mod meshes;
 mod movers;
 mod opaque;
+mod options;
 mod passes;
 mod readback;
 mod resume;
@@ -17,6 +18,7 @@ mod targets;
 mod texture;
 
 pub use clock::Clock;
+pub use options::{StageOptions, no_culling};
 
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
 use anyhow::{Context, Result};
@@ -25,56 +27,14 @@ use glam::Vec2;
 use image::RgbImage;
 use movers::Movers;
 use opaque::Opaque;
+use options::view;
 use passes::{Accumulator, Passes};
-use sward::{Culling, Field, Frame, Light, PhysicsModel, Renderer, Statistics, View, Wind};
-use sward_scene::{Camera, Scene, SceneWind};
+use sward::{Field, Frame, Light, Renderer, Statistics, Wind};
+use sward_scene::{Scene, SceneWind};
 use targets::Targets;
 
 /// Renders a side that a reference adds up: 8 x 8 places inside a pixel, one sample each.
 const REFERENCE_GRID: u32 = 8;
-
-/// How a scene is drawn.
-#[derive(Debug, Clone)]
-pub struct StageOptions {
-    /// Size of the picture, pixels.
-    pub size: [u32; 2],
-    /// Samples a pixel; a reference always has 64.
-    pub samples: u32,
-    /// Where from.
-    pub camera: Camera,
-    /// How blades move.
-    pub physics: PhysicsModel,
-    /// How blades are culled.
-    pub culling: Culling,
-    /// All blades, with all segments, none culled, 64 samples a pixel averaged in linear light.
-    pub reference: bool,
-    /// Haze, where the scene has any.
-    pub haze: bool,
-    /// Whether spheres push the blades.
-    pub collisions: bool,
-    /// Level that every blade is drawn at, 0 to 3; none: by size.
-    pub level: Option<u8>,
-}
-
-impl StageOptions {
-    /// The scene's own way, seen by its first camera or the one of that name.
-    ///
-    /// # Errors
-    /// Where there is no such camera.
-    pub fn new(scene: &Scene, camera: Option<&str>, size: [u32; 2], samples: u32) -> Result<Self> {
-        Ok(Self {
-            size,
-            samples,
-            camera: scene.camera(camera)?.clone(),
-            physics: scene.physics,
-            culling: scene.culling,
-            reference: false,
-            haze: true,
-            collisions: true,
-            level: None,
-        })
-    }
-}
 
 /// A scene with its grass, ready to be stepped and drawn.
 #[derive(Debug)]
@@ -106,6 +66,13 @@ impl Stage {
     /// Where the fields do not fit the device.
     pub fn new(gpu: &Gpu, scene: &Scene, fields: &[Field], options: StageOptions) -> Result<Self> {
         let device = &gpu.device;
+        let grey;
+        let scene = if options.debug.is_some() {
+            grey = options::on_grey_ground(scene);
+            &grey
+        } else {
+            scene
+        };
         let samples = if options.reference { 1 } else { options.samples };
         let formats = sward::Targets { color: COLOR_FORMAT, depth: DEPTH_FORMAT, samples };
         let mut renderer = Renderer::new(device, formats)?;
@@ -171,6 +138,7 @@ impl Stage {
     pub fn step(&mut self, dt_s: f64) -> Result<()> {
         let mut encoder = self.encoder();
         self.encode_simulate(&mut encoder, dt_s)?;
+        self.look(true);
         self.encode_opaque(&mut encoder);
         self.encode_cull(&mut encoder)?;
         self.submit(encoder);
@@ -185,6 +153,7 @@ impl Stage {
         if self.options.reference {
             self.render_reference()?;
         } else {
+            self.look(false);
             let mut encoder = self.encoder();
             self.encode_draw(&mut encoder);
             self.encode_post(&mut encoder);
@@ -330,8 +299,34 @@ impl Stage {
         }
     }
 
+    /// Shows another debug view of the same moment, or the blades' own look.
+    ///
+    /// # Errors
+    /// Where the device fails.
+    pub fn show(&mut self, debug: Option<sward::DebugView>) -> Result<()> {
+        self.options.debug = debug;
+        self.depth_is_opaque = false;
+        self.look(true);
+        let mut encoder = self.encoder();
+        self.encode_opaque(&mut encoder);
+        self.encode_cull(&mut encoder)?;
+        self.submit(encoder);
+        self.gpu.wait()
+    }
+
+    /// Points the stage's camera where blades are culled, or drawn, where that is not the same.
+    fn look(&mut self, culling: bool) {
+        if self.options.culling_camera.is_none() {
+            return;
+        }
+        self.depth_is_opaque = false;
+        let camera = if culling { self.matrices() } else { self.options.drawn_from() };
+        self.uniform.write(&self.gpu.queue, camera, 1.0);
+    }
+
+    /// The camera that blades are culled for.
     fn matrices(&self) -> CameraMatrices {
-        CameraMatrices::new(&self.options.camera, self.options.size, self.jitter_px)
+        self.options.culled_from(self.jitter_px)
     }
 
     fn write_camera(&mut self, weight: f32) {
@@ -362,36 +357,6 @@ impl Stage {
     /// Bytes that the grass takes on the GPU.
     pub fn gpu_bytes(&self) -> u64 {
         self.renderer.gpu_bytes()
-    }
-}
-
-/// The renderer's view of the camera.
-fn view<'a>(
-    options: &StageOptions,
-    camera: CameraMatrices,
-    opaque_depth: &'a wgpu::TextureView,
-) -> View<'a> {
-    let mut view = View::new(camera.view_from_world, camera.clip_from_view, options.size);
-    view.opaque_depth = Some(opaque_depth);
-    view.culling = options.culling;
-    view.level = options.level;
-    if options.reference {
-        view.culling = no_culling(options.culling);
-        view.detail = f32::INFINITY;
-        view.width_correction = false;
-    }
-    view
-}
-
-/// The same with every test switched off, so that every blade is drawn.
-pub fn no_culling(culling: Culling) -> Culling {
-    Culling {
-        frustum: false,
-        distance: false,
-        orientation: false,
-        occlusion: false,
-        max_distance_m: f32::INFINITY,
-        ..culling
     }
 }
 

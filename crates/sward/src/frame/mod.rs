@@ -11,6 +11,7 @@ pub mod wind;
 
 pub(crate) mod compact;
 pub(crate) mod cull;
+pub(crate) mod debug;
 pub(crate) mod draw;
 pub(crate) mod level;
 pub(crate) mod light;

@@ -5,6 +5,7 @@ use super::quantize::SEGMENTS;
 use super::shaders::Shader;
 use super::view;
 use crate::frame::collide::primitive::{self, GpuPrimitive};
+use crate::frame::debug::{CORNER_STRIDE, GpuDebug};
 use crate::frame::draw::topology::BLADES_PER_INSTANCE;
 use crate::frame::wind::GpuWindSource;
 use std::mem::{offset_of, size_of};
@@ -113,6 +114,7 @@ fn structs() -> Vec<Expected> {
         }),
         expected!(GpuBlock { buckets, counted }),
         expected!(GpuDraw { start, count, dropped, reserved }),
+        expected!(GpuDebug { mode, reserved_a, reserved_b, reserved_c, palette }),
     ]
 }
 
@@ -177,6 +179,7 @@ fn constants_agree_with_the_shaders() {
         ("WIDTH_CORRECTION", view::WIDTH_CORRECTION),
         ("HAS_DEPTH", view::HAS_DEPTH),
         ("LEVELS", SEGMENTS.len() as u32),
+        ("CORNER_STRIDE", CORNER_STRIDE as u32),
     ];
     let mut seen = std::collections::BTreeSet::new();
     for shader in Shader::ALL {

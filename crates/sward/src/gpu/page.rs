@@ -246,6 +246,21 @@ impl Page {
         encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, 20);
     }
 
+    /// Lists every patch as work, with all its blades; the counts beside the list stay.
+    pub fn work_on_all(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
+        let GpuField { blade_count, patch_count, patch_size, .. } = self.field;
+        let entry = |i: u32| [i, patch_size.min(blade_count - i * patch_size)];
+        let entries: Vec<[u32; 2]> = (0..patch_count).map(entry).collect();
+        write(device, encoder, &self.work, bytemuck::cast_slice(&entries));
+        let size = [patch_count, self.bands_per_patch(), 1];
+        write(device, encoder, &self.work_size, bytemuck::cast_slice(&size));
+    }
+
+    /// Bands of a patch.
+    pub fn bands_per_patch(&self) -> u32 {
+        self.field.patch_size / BAND
+    }
+
     /// Blocks of the scan.
     pub fn block_count(&self) -> u32 {
         (self.field.patch_count * (self.field.patch_size / BAND)).div_ceil(BLOCK)

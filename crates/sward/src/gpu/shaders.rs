@@ -27,8 +27,12 @@ const COLLIDE: &str = part!("frame/collide/collide.wgsl");
 const PHYSICS: &str = part!("frame/physics/physics.wgsl");
 const PAPER: &str = part!("frame/physics/paper.wgsl");
 const TESTS: &str = part!("frame/cull/tests.wgsl");
+const PATCH: &str = part!("frame/cull/patch.wgsl");
 const CULL: &str = part!("frame/cull/cull.wgsl");
 const LEVEL: &str = part!("frame/level/level.wgsl");
+const DECIDE: &str = part!("frame/update/decide.wgsl");
+const EXPLAIN: &str = part!("frame/debug/explain.wgsl");
+const DEBUG: &str = part!("frame/debug/debug.wgsl");
 const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
 const COMPACT: &str = part!("frame/compact/compact.wgsl");
@@ -58,11 +62,17 @@ pub enum Shader {
     Draw,
     /// Blades with lobes.
     DrawLobed,
+    /// Why each blade is drawn or not, reading a single-sampled depth.
+    Explain,
+    /// The same, reading a multisampled depth.
+    ExplainMultisampled,
+    /// Blades as a debug view shows them.
+    DrawDebug,
 }
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 11] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -71,6 +81,9 @@ impl Shader {
         Self::Compact,
         Self::Draw,
         Self::DrawLobed,
+        Self::Explain,
+        Self::ExplainMultisampled,
+        Self::DrawDebug,
     ];
 
     /// Label in debuggers: `sward.` and the stage's stem.
@@ -82,31 +95,32 @@ impl Shader {
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
             Self::Draw | Self::DrawLobed => "sward.draw",
+            Self::Explain | Self::ExplainMultisampled => "sward.explain",
+            Self::DrawDebug => "sward.debug",
         }
     }
 
     fn parts(self) -> Vec<&'static str> {
-        let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
+        let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW].as_slice();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
-        let update = [STATE, BAND, VIEW, LEVEL, WIND, WIND_PLACED, PHYSICS, PAPER, TESTS, UPDATE];
-        let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW];
-        let lobed = [&draw[..], &[LOBES, LOBED]].concat();
-        let rest: &[&str] = match self {
-            Self::Collide => &[PRIMITIVE, COLLIDE],
-            Self::Cull => &[BAND, VIEW, LEVEL, CULL],
-            Self::Update => &[DEPTH_SINGLE],
-            Self::UpdateMultisampled => &[DEPTH_MULTISAMPLED],
-            Self::Scan => &[BAND, DRAWS, VIEW, SCAN],
-            Self::Compact => &[BAND, VIEW, COMPACT],
-            Self::Draw => &draw,
-            Self::DrawLobed => &lobed,
+        let update =
+            [STATE, BAND, VIEW, LEVEL, WIND, WIND_PLACED, PHYSICS, PAPER, TESTS, DECIDE, UPDATE];
+        let explain = [STATE, BAND, VIEW, LEVEL, TESTS, DECIDE, PATCH, EXPLAIN];
+        let rest: &[&[&str]] = match self {
+            Self::Collide => &[&[PRIMITIVE, COLLIDE]],
+            Self::Cull => &[&[BAND, VIEW, LEVEL, PATCH, CULL]],
+            Self::Update => &[&[DEPTH_SINGLE], &collide, &update],
+            Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &collide, &update],
+            Self::Scan => &[&[BAND, DRAWS, VIEW, SCAN]],
+            Self::Compact => &[&[BAND, VIEW, COMPACT]],
+            Self::Draw => &[draw],
+            Self::DrawLobed => &[draw, &[LOBES, LOBED]],
+            Self::Explain => &[&[DEPTH_SINGLE], &explain],
+            Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
+            Self::DrawDebug => &[draw, &[LOBES, LOBED, DEBUG]],
         };
-        let mut parts = [&field[..], rest].concat();
-        if matches!(self, Self::Update | Self::UpdateMultisampled) {
-            parts.extend(collide);
-            parts.extend(update);
-        }
-        parts
+        let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
+        [&field[..], &rest.concat()].concat()
     }
 
     /// The whole source.

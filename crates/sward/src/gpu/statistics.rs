@@ -162,8 +162,10 @@ fn sum_pages(words: &[u32], vertices: &[u32; BUCKETS]) -> Statistics {
         sum.culled_distance += count(counted[2]);
         sum.culled_occlusion += count(counted[3]);
         sum.spheres_tested += count(counted[4]);
-        for (draw, per_blade) in draws.chunks_exact(4).zip(vertices) {
+        sum.blades_moved += count(counted[5]);
+        for (bucket, (draw, per_blade)) in draws.chunks_exact(4).zip(vertices).enumerate() {
             sum.blades_drawn += count(draw[1]);
+            sum.drawn_by_level[bucket % 4] += count(draw[1]);
             sum.vertices += count(draw[1]) * count(*per_blade);
             sum.dropped += count(draw[2]);
         }

@@ -69,9 +69,13 @@ fn check_depth(depth: &wgpu::Texture, size: [u32; 2]) -> Result<(), Error> {
 /// [`Error::Setting`] where a matrix is not finite or not invertible, the size is zero, the depth
 /// cannot be read, or detail or distance are not above 0.
 pub fn check_view(view: &View) -> Result<(), Error> {
-    let clip_from_world = view.clip_from_view * view.view_from_world;
-    if !clip_from_world.is_finite() || !clip_from_world.inverse().is_finite() {
-        return Err(Error::setting("view", "its matrices must be finite and invertible"));
+    let is_camera = |clip_from_world: Mat4| {
+        clip_from_world.is_finite() && clip_from_world.inverse().is_finite()
+    };
+    let observer = view.observer.is_none_or(|o| is_camera(o.clip_from_view * o.view_from_world));
+    if !observer || !is_camera(view.clip_from_view * view.view_from_world) {
+        let which = if observer { "view" } else { "view.observer" };
+        return Err(Error::setting(which, "its matrices must be finite and invertible"));
     }
     if view.size.contains(&0) {
         return Err(Error::setting("view.size", "must be at least 1 x 1 pixels"));

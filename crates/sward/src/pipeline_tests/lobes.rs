@@ -13,7 +13,7 @@ const HEIGHT: f32 = 0.5;
 const WIDTH: f32 = 0.2;
 const AWAY: f32 = 0.55;
 
-fn leaf(shape: Shape) -> Rig {
+pub(super) fn leaf(shape: Shape) -> Rig {
     let species = Species {
         shape,
         width_m: Range::new(WIDTH, WIDTH),
@@ -34,7 +34,7 @@ fn leaf(shape: Shape) -> Rig {
 }
 
 /// Straight in front of the leaf, which stands upright until it is simulated.
-fn front(level: u8) -> View<'static> {
+pub(super) fn front(level: u8) -> View<'static> {
     let view = look(Vec3::new(0.0, HEIGHT / 2.0, AWAY), Vec3::new(0.0, HEIGHT / 2.0, 0.0));
     View { level: Some(level), culling: no_culling(), ..view }
 }

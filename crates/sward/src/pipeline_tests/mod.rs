@@ -2,6 +2,7 @@
 
 mod colliders;
 mod compaction;
+mod debugging;
 mod decisions;
 mod decoded;
 mod depth;

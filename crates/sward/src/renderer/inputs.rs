@@ -70,6 +70,11 @@ impl Inputs {
         &self.group
     }
 
+    /// The frame's uniform.
+    pub(crate) fn frame(&self) -> &wgpu::Buffer {
+        &self.frame
+    }
+
     /// Group 0 of drawing.
     pub(crate) fn draw_group(&self) -> &wgpu::BindGroup {
         &self.draw_group

@@ -21,6 +21,7 @@ const BLOCK: u32 = 256u;
 struct GpuBlock {
     // Survivors by bucket; after scan_totals, the place of the block's first one in the list
     buckets: array<u32, 8>,
-    // Failed tests: orientation, frustum, distance, occlusion; tests against primitives; 3 unused
+    // Failed tests: orientation, frustum, distance, occlusion; tests against primitives; blades
+    // moved; 2 unused
     counted: array<u32, 8>,
 }

@@ -36,6 +36,9 @@ fn scan_blocks(
         atomicAdd(&failed[3], culled.y >> 16u);
         if bands[index].step == frame.step {
             atomicAdd(&failed[4], bands[index].tested);
+            let first = (index % bands_per_patch()) * BAND;
+            let blades = max(patch_blades(index / bands_per_patch()), first) - first;
+            atomicAdd(&failed[5], min(blades, BAND));
         }
     }
     // 256 bands of 64 blades: a half word holds the sum

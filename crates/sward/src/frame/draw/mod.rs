@@ -16,7 +16,7 @@ use topology::Topology;
 /// The drawing stage.
 #[derive(Debug)]
 pub(crate) struct Draw {
-    targets: Targets,
+    pub(crate) targets: Targets,
     layout: wgpu::PipelineLayout,
     /// By variant, the plain one first, then by bucket.
     pipelines: Vec<(Variant, Vec<wgpu::RenderPipeline>)>,

@@ -17,14 +17,14 @@ pub(crate) struct Variant {
 
 /// Shader and entry points of a pipeline.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Program<'a> {
-    pub(super) module: &'a wgpu::ShaderModule,
-    pub(super) vertex: &'a str,
-    pub(super) fragment: &'a str,
+pub(crate) struct Program<'a> {
+    pub(crate) module: &'a wgpu::ShaderModule,
+    pub(crate) vertex: &'a str,
+    pub(crate) fragment: &'a str,
 }
 
 /// What a bucket's pipeline is made with.
-pub(super) fn constants(bucket: usize, targets: Targets, tinted: bool) -> Vec<(&'static str, f64)> {
+pub(crate) fn constants(bucket: usize, targets: Targets, tinted: bool) -> Vec<(&'static str, f64)> {
     let topology = Topology::of(bucket);
     vec![
         ("BUCKET", bucket as f64),
@@ -38,7 +38,7 @@ pub(super) fn constants(bucket: usize, targets: Targets, tinted: bool) -> Vec<(&
 }
 
 /// A pipeline of the layout.
-pub(super) fn pipeline(
+pub(crate) fn pipeline(
     device: &wgpu::Device,
     layout: &wgpu::PipelineLayout,
     targets: Targets,

@@ -1,0 +1,117 @@
+//! How a scene is drawn, and the view that the renderer takes from it.
+
+use super::frame::CameraMatrices;
+use anyhow::Result;
+use glam::Vec2;
+use sward::{ColorRange, Culling, DebugView, Observer, PhysicsModel, View};
+use sward_scene::{Camera, Scene};
+
+/// How a scene is drawn.
+#[derive(Debug, Clone)]
+pub struct StageOptions {
+    /// Size of the picture, pixels.
+    pub size: [u32; 2],
+    /// Samples a pixel; a reference always has 64.
+    pub samples: u32,
+    /// Where from.
+    pub camera: Camera,
+    /// How blades move.
+    pub physics: PhysicsModel,
+    /// How blades are culled.
+    pub culling: Culling,
+    /// All blades, with all segments, none culled, 64 samples a pixel averaged in linear light.
+    pub reference: bool,
+    /// Haze, where the scene has any.
+    pub haze: bool,
+    /// Whether spheres push the blades.
+    pub collisions: bool,
+    /// What to show in place of the blades' own look.
+    pub debug: Option<DebugView>,
+    /// Where blades are culled from, where that is not where the picture is drawn from.
+    pub culling_camera: Option<Camera>,
+    /// Level that every blade is drawn at, 0 to 3; none: by size.
+    pub level: Option<u8>,
+}
+
+impl StageOptions {
+    /// The scene's own way, seen by its first camera or the one of that name.
+    ///
+    /// # Errors
+    /// Where there is no such camera.
+    pub fn new(scene: &Scene, camera: Option<&str>, size: [u32; 2], samples: u32) -> Result<Self> {
+        Ok(Self {
+            size,
+            samples,
+            camera: scene.camera(camera)?.clone(),
+            physics: scene.physics,
+            culling: scene.culling,
+            reference: false,
+            haze: true,
+            collisions: true,
+            debug: None,
+            culling_camera: None,
+            level: None,
+        })
+    }
+
+    /// The camera of the picture.
+    pub(super) fn drawn_from(&self) -> CameraMatrices {
+        CameraMatrices::new(&self.camera, self.size, Vec2::ZERO)
+    }
+
+    /// The camera that blades are culled for, shifted by parts of a pixel.
+    pub(super) fn culled_from(&self, jitter_px: Vec2) -> CameraMatrices {
+        let camera = self.culling_camera.as_ref().unwrap_or(&self.camera);
+        CameraMatrices::new(camera, self.size, jitter_px)
+    }
+}
+
+/// The renderer's view of the camera.
+pub(super) fn view<'a>(
+    options: &StageOptions,
+    camera: CameraMatrices,
+    opaque_depth: &'a wgpu::TextureView,
+) -> View<'a> {
+    let mut view = View::new(camera.view_from_world, camera.clip_from_view, options.size);
+    view.opaque_depth = Some(opaque_depth);
+    view.culling = options.culling;
+    view.level = options.level;
+    view.debug = options.debug;
+    view.observer = options.culling_camera.as_ref().map(|_| {
+        let CameraMatrices { view_from_world, clip_from_view } = options.drawn_from();
+        Observer { view_from_world, clip_from_view }
+    });
+    if options.reference {
+        view.culling = no_culling(options.culling);
+        view.detail = f32::INFINITY;
+        view.width_correction = false;
+    }
+    view
+}
+
+/// The same with every test switched off, so that every blade is drawn.
+pub fn no_culling(culling: Culling) -> Culling {
+    Culling {
+        frustum: false,
+        distance: false,
+        orientation: false,
+        occlusion: false,
+        max_distance_m: f32::INFINITY,
+        ..culling
+    }
+}
+
+/// The same with grey ground under the grass, on which a debug view's colours stand out.
+pub(super) fn on_grey_ground(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    scene.ground.grass_tint = 1.0;
+    let grey = ColorRange { from: [0.16; 3], to: [0.16; 3] };
+    for field in &mut scene.fields {
+        field.desc.color_map = None;
+        for species in &mut field.desc.species {
+            species.root_color = grey;
+            species.tip_color = grey;
+        }
+    }
+    scene
+}

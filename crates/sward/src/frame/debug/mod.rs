@@ -1,0 +1,219 @@
+//! Debug views: their pipelines are made when one is first asked for.
+
+use super::draw::pipelines::{Program, constants, pipeline};
+use super::draw::topology::Topology;
+use crate::gpu::bindings::{self, Kind, compute, layout};
+use crate::gpu::buffers::{filled, storage};
+use crate::gpu::layout::BUCKETS;
+use crate::gpu::page::{Page, ViewLists};
+use crate::gpu::shaders::Shader;
+use crate::renderer::Layouts;
+use crate::{DebugView, Targets};
+use bytemuck::{Pod, Zeroable};
+use wgpu::{BufferUsages, ShaderStages};
+
+/// Most indices of a blade, in vectors of four: `CORNER_STRIDE` of debug.wgsl.
+pub(crate) const CORNER_STRIDE: usize = 24;
+
+/// `GpuDebug` of debug.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub(crate) struct GpuDebug {
+    pub mode: u32,
+    pub reserved_a: u32,
+    pub reserved_b: u32,
+    pub reserved_c: u32,
+    pub palette: [[f32; 4]; 8],
+}
+
+/// The pipelines, and what each view shows.
+#[derive(Debug)]
+pub(crate) struct Debug {
+    explain_frame: wgpu::BindGroupLayout,
+    explain_layout: wgpu::BindGroupLayout,
+    /// For a depth of one sample, and of several.
+    explain: [wgpu::ComputePipeline; 2],
+    draw_layout: wgpu::BindGroupLayout,
+    pipelines: Vec<wgpu::RenderPipeline>,
+    indices: Vec<wgpu::Buffer>,
+    corners: wgpu::Buffer,
+    /// Reasons, by page.
+    pub(crate) explained: Vec<wgpu::Buffer>,
+    /// Group 3 by page, of each view that shows one.
+    views: Vec<Option<Vec<wgpu::BindGroup>>>,
+}
+
+fn gpu_debug(view: DebugView) -> GpuDebug {
+    let mut gpu = GpuDebug { mode: view.mode(), ..GpuDebug::zeroed() };
+    for (slot, (_, [r, g, b])) in gpu.palette.iter_mut().zip(view.colors()) {
+        *slot = [*r, *g, *b, 1.0];
+    }
+    gpu
+}
+
+/// Vertex of each index, by bucket.
+pub(crate) fn corners() -> Vec<u32> {
+    let own = |bucket| {
+        let mut list: Vec<u32> =
+            Topology::of(bucket).indices().into_iter().map(u32::from).collect();
+        list.resize(CORNER_STRIDE * 4, 0);
+        list
+    };
+    (0..BUCKETS).flat_map(own).collect()
+}
+
+fn explain_pipelines(
+    device: &wgpu::Device,
+    layouts: &Layouts,
+    frame: &wgpu::BindGroupLayout,
+    own: &wgpu::BindGroupLayout,
+) -> [wgpu::ComputePipeline; 2] {
+    let depths = [
+        (Shader::Explain, &layouts.depth),
+        (Shader::ExplainMultisampled, &layouts.depth_multisampled),
+    ];
+    depths.map(|(shader, depth)| {
+        let groups = [frame, &layouts.field, own, depth];
+        compute(device, &shader.module(device), "explain", &groups, &[])
+    })
+}
+
+fn draw_pipelines(
+    device: &wgpu::Device,
+    layouts: &Layouts,
+    own: &wgpu::BindGroupLayout,
+    targets: Targets,
+) -> Vec<wgpu::RenderPipeline> {
+    let module = Shader::DrawDebug.module(device);
+    let groups = [&layouts.draw_frame, &layouts.draw_field, &layouts.draw, own];
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some("sward.debug"),
+        bind_group_layouts: &groups.map(Some),
+        immediate_size: 0,
+    });
+    let make = |bucket| {
+        let mut constants = constants(bucket, targets, false);
+        constants.push(("INDICES", Topology::of(bucket).indices().len() as f64));
+        let program = Program { module: &module, vertex: "vs_debug", fragment: "fs_debug" };
+        pipeline(device, &layout, targets, program, &constants)
+    };
+    (0..BUCKETS).map(make).collect()
+}
+
+impl Debug {
+    pub(crate) fn new(device: &wgpu::Device, layouts: &Layouts, targets: Targets) -> Self {
+        use Kind::{Read, Uniform, Write};
+        let compute_layout =
+            |kinds: &[Kind]| layout(device, "sward.explain", ShaderStages::COMPUTE, kinds);
+        let explain_frame = compute_layout(&[Uniform]);
+        let explain_layout = compute_layout(&[Uniform, Write, Read, Read, Write, Write]);
+        let stages = ShaderStages::VERTEX_FRAGMENT;
+        let draw_layout = layout(device, "sward.debug", stages, &[Uniform, Uniform, Read]);
+        let index_buffer = |bucket| {
+            let count = Topology::of(bucket).instance_indices().len() as u16;
+            let list: Vec<u16> = (0..count).collect();
+            let content = bytemuck::cast_slice(&list);
+            filled(device, "sward.debug_indices", content, BufferUsages::INDEX)
+        };
+        Self {
+            explain: explain_pipelines(device, layouts, &explain_frame, &explain_layout),
+            explain_frame,
+            explain_layout,
+            pipelines: draw_pipelines(device, layouts, &draw_layout, targets),
+            draw_layout,
+            indices: (0..BUCKETS).map(index_buffer).collect(),
+            corners: filled(
+                device,
+                "sward.debug_corners",
+                bytemuck::cast_slice(&corners()),
+                BufferUsages::UNIFORM,
+            ),
+            explained: Vec::new(),
+            views: Vec::new(),
+        }
+    }
+
+    /// Says what a view shows: a debug view over these pages, or its own look.
+    pub(crate) fn set_view(
+        &mut self,
+        device: &wgpu::Device,
+        pages: &[Page],
+        index: usize,
+        view: Option<DebugView>,
+    ) {
+        if self.views.len() <= index {
+            self.views.resize_with(index + 1, || None);
+        }
+        let room = |page: &Page| u64::from(page.field.blade_count) * 4;
+        let fits = |(page, buffer): (&Page, &wgpu::Buffer)| buffer.size() >= room(page);
+        let known = pages.iter().zip(&self.explained);
+        if self.explained.len() != pages.len() || !known.into_iter().all(fits) {
+            let make = |page| storage(device, "sward.explained", room(page), BufferUsages::empty());
+            self.explained = pages.iter().map(make).collect();
+        }
+        let group = |view| {
+            let uniform = gpu_debug(view);
+            let content = bytemuck::bytes_of(&uniform);
+            let uniform = filled(device, "sward.debug", content, BufferUsages::UNIFORM);
+            let bind = |explained: &wgpu::Buffer| {
+                let list = [&uniform, &self.corners, explained];
+                bindings::buffers(device, "sward.debug", &self.draw_layout, &list)
+            };
+            self.explained.iter().map(bind).collect()
+        };
+        self.views[index] = view.map(group);
+    }
+
+    /// Lists every blade of a page, with the reasons. The frame's uniform is that of the step.
+    pub(crate) fn encode_explain(
+        &self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &wgpu::Buffer,
+        (number, page, lists): (usize, &Page, &ViewLists),
+        (depth, multisampled): (&wgpu::BindGroup, bool),
+    ) {
+        let Some(explained) = self.explained.get(number) else { return };
+        page.work_on_all(device, encoder);
+        let frame = bindings::buffers(device, "sward.explain", &self.explain_frame, &[frame]);
+        let own =
+            [&lists.view, &page.bands, &page.dynamics, &page.near, &page.decisions, explained];
+        let own = bindings::buffers(device, "sward.explain", &self.explain_layout, &own);
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+            label: Some("sward.explain"),
+            timestamp_writes: None,
+        });
+        pass.set_pipeline(&self.explain[usize::from(multisampled)]);
+        pass.set_bind_group(0, &frame, &[]);
+        pass.set_bind_group(1, &page.group, &[]);
+        pass.set_bind_group(2, &own, &[]);
+        pass.set_bind_group(3, depth, &[]);
+        pass.dispatch_workgroups(page.field.patch_count, page.bands_per_patch(), 1);
+    }
+
+    /// Draws a page's blades of a view, if it shows a debug view; says whether it does. Group 0 is
+    /// set.
+    pub(crate) fn encode(
+        &self,
+        pass: &mut wgpu::RenderPass,
+        (number, page): (usize, &Page),
+        view: usize,
+    ) -> bool {
+        let Some(Some(groups)) = self.views.get(view) else { return false };
+        let (Some(lists), Some(own)) = (page.views.get(view), groups.get(number)) else {
+            return true;
+        };
+        pass.set_bind_group(1, &page.draw_group, &[]);
+        pass.set_bind_group(2, &lists.draw, &[]);
+        pass.set_bind_group(3, own, &[]);
+        for (bucket, pipeline) in self.pipelines.iter().enumerate() {
+            if !page.topologies[bucket / 4] {
+                continue;
+            }
+            pass.set_pipeline(pipeline);
+            pass.set_index_buffer(self.indices[bucket].slice(..), wgpu::IndexFormat::Uint16);
+            pass.draw_indexed_indirect(&lists.indirect, bucket as u64 * 20);
+        }
+        true
+    }
+}
