@@ -39,7 +39,7 @@ impl Opaque {
                 GpuMesh::new(&gpu.device, &mesh, &[placement], texture)
             })
             .collect();
-        let placed = movers.placements(-scene.warm_up_s);
+        let placed = movers.placements((-scene.warm_up_s).into());
         let things = movers.things(scene).into_iter().zip(&placed);
         let moving = things
             .map(|(thing, placed)| {
