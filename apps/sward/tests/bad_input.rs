@@ -189,3 +189,20 @@ fn adapters() {
     no_adapter(("WGPU_BACKEND", "gl"), "apt-get install mesa-vulkan-drivers");
     no_adapter(("VK_DRIVER_FILES", "/none.json"), "apt-get install mesa-vulkan-drivers");
 }
+
+#[test]
+fn maps_of_wind() {
+    let scene = scene("tiny.ron");
+    let wind = |extra: &[&str], cause| refused(&[&["wind", &scene], extra].concat(), cause);
+    wind(&[], "--output");
+    wind(&["-o", "a.jpg"], ".png");
+    wind(&["-o", "%04d.png"], "a map is one picture");
+    wind(&["-o", "a.png", "--size", "20000x10"], "at most 16384");
+    wind(&["-o", "a.png", "--size", "0x10"], "--size");
+    for height in ["-1", "NaN", "inf", "x"] {
+        wind(&["-o", "a.png", &format!("--height={height}")], "--height");
+    }
+    wind(&["-o", "a.png", "--time=-1"], "--time");
+    wind(&["-o", "file.txt/a.png"], "file.txt");
+    refused(&["wind", "missing.ron", "-o", "a.png"], "missing.ron");
+}

@@ -22,7 +22,7 @@ fn render(folder: &Folder, extra: &[&str]) -> String {
 #[test]
 fn help_has_examples() {
     let folder = Folder::new();
-    for command in ["render", "bench", "check", "compare", "info", "paper"] {
+    for command in ["render", "bench", "check", "compare", "info", "paper", "wind"] {
         let help = succeeds(&folder, &[command, "--help"]);
         assert!(help.contains("Examples:"), "{help}");
         assert!(help.contains(&format!("sward {command}")), "{help}");
@@ -163,4 +163,19 @@ fn check_and_info_say_what_there_is() {
     assert!(said.contains("main, side") && said.contains("blades"), "{said}");
     let said = succeeds(&folder, &["info"]);
     assert!(said.contains("max_buffer_size") && said.contains("samples a pixel"), "{said}");
+}
+
+#[test]
+fn wind_is_drawn_from_above() {
+    let folder = Folder::new();
+    let scene = scene("tiny.ron");
+    let said = succeeds(&folder, &["wind", &scene, "-o", "maps/wind.png", "--size", "320x180"]);
+    assert_eq!(said, "maps/wind.png: 320 x 180, 1 wind sources\n");
+    let later = ["--time", "2.5", "--height", "3", "--quiet", "--size", "320x180"];
+    let said = succeeds(&folder, &[&["wind", &scene, "-o", "later.png"], &later[..]].concat());
+    assert_eq!(said, "");
+    let open = |name: &str| image::open(folder.path(name)).unwrap().into_rgb8();
+    let (now, later) = (open("maps/wind.png"), open("later.png"));
+    assert_eq!(now.dimensions(), (320, 180));
+    assert_ne!(now, later);
 }

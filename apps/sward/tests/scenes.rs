@@ -33,6 +33,7 @@ scenes! {
     displacement [],
     fur [],
     hand ["--time", "1.8"],
+    helicopter [],
     meadow [],
     minimal [],
     mobius [],
@@ -40,6 +41,7 @@ scenes! {
     planet [],
     reference [],
     shapes [],
+    tornado [],
 }
 
 /// Names without endings of the files of one kind in a folder.

@@ -78,7 +78,9 @@ pub struct Collider<'a> {
     /// Where it is at the end of the step.
     pub pose: Pose,
     /// Where it was at the last step: it is swept from there, so that nothing on its way is
-    /// missed. None for what rests: it wakes no blade that sleeps.
+    /// missed. None, or the same pose, for what rests, or for what was put elsewhere: it wakes no
+    /// blade that sleeps, and costs next to nothing while it stays. More than 20 m from `pose`
+    /// counts as put elsewhere too.
     pub last_pose: Option<Pose>,
 }
 

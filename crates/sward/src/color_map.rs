@@ -16,7 +16,7 @@ pub struct ColorImage {
 
 /// Where a field's blades take their colours from: fur that shows its model's own texture. Each
 /// blade takes one colour, that of the surface at its root, when it grows; so it costs 4 bytes a
-/// blade, and nothing where there is no map. J section 6 colours its fur so.
+/// blade, and nothing where there is no map. J colours its fur so.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum ColorMap {

@@ -4,14 +4,14 @@ mod common;
 #[path = "common/physics_pass.rs"]
 mod physics_pass;
 
-use common::{Draws, balls_near, calm, device, gusty_wind, rolling};
+use common::{Draws, balls_near, calm, device, gusty_wind, rolling, thing_near};
 use glam::{DVec3, Vec3};
 use physics_pass::{Model, PhysicsPass, rounded};
 use sward::frame::collide::primitive::Primitive;
 use sward::frame::physics::paper_twin;
 use sward::frame::physics::twin::{self, Blade, State, Surroundings};
 use sward::shared::curve_twin::project_tip;
-use sward::{Gravity, Sphere};
+use sward::{Gravity, Sphere, Wind};
 
 const COUNT: u32 = 512;
 
@@ -80,6 +80,39 @@ fn one_step_equals_the_reference() {
             println!("{model:?}, balls {balls}: tip {worst:.2e} h, crush {crush:.2e}");
             assert!(worst < 2e-4, "{model:?}: {:?}", &tips[tips.len() - 8..]);
             assert!(crush < 2e-4, "{model:?}: {crush}");
+        }
+    }
+}
+
+/// Capsules, balls that moved and boxes. Where two ways out are as near the sides may choose apart.
+#[test]
+fn contact_equals_the_reference() {
+    let blades = blades(0.8);
+    let (start, wind) = (states(&blades), Wind::default());
+    let gaps = vec![0.016; blades.len()];
+    for model in [Model::Sward, Model::Paper] {
+        for kind in 0..3 {
+            let things: Vec<Primitive> = blades
+                .iter()
+                .enumerate()
+                .map(|(i, b)| thing_near(&mut Draws::new(i as u32 + 1 + 1000 * kind), b, kind))
+                .collect();
+            let plain = calm(&wind, 0.016_f32.into());
+            let pass = PhysicsPass::new(&blades, &start);
+            pass.step(&Surroundings { primitives: &things, ..plain }, &gaps, model);
+            let step = |i: usize, primitives| {
+                let around = Surroundings { primitives, ..plain };
+                advance(&blades[i], start[i], gaps[i], &around, model)
+            };
+            let cpu: Vec<State> = (0..blades.len()).map(|i| step(i, &things[i..=i])).collect();
+            let hit = (0..blades.len()).filter(|i| step(*i, &[]).tip != cpu[*i].tip).count();
+            let (tips, _) = differences(&pass.states(), &cpu);
+            let far = tips.iter().filter(|d| **d > 5e-4).count();
+            println!(
+                "{model:?}, kind {kind}: {hit} hit, {far} apart; {:.1e}",
+                tips[tips.len() / 2]
+            );
+            assert!(hit > 100 && far * 100 <= hit, "{model:?} {kind}: {:?}", &tips[500..]);
         }
     }
 }

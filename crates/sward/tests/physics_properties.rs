@@ -163,14 +163,15 @@ fn crush_by_a_passing_ball_agrees_between_frame_rates() {
         }
     }
     spreads.sort_by(f64::total_cmp);
-    let most = spreads[spreads.len() * 4 / 5];
-    println!("crush at 30, 60, 144 Hz: {sums:?}; spread of a blade, 80 %: {most:.3}");
-    println!("{:?}", spreads.iter().map(|x| (x * 1e4).round() / 1e4).collect::<Vec<_>>());
+    let [most, worst] = [9, 10].map(|tenths| spreads[(spreads.len() - 1) * tenths / 10]);
+    println!(
+        "crush at 30, 60, 144 Hz: {sums:?}; spread of a blade, 90 %: {most:.3}, worst {worst:.3}"
+    );
     assert!(spreads.len() > 50, "the ball must touch most blades: {}", spreads.len());
-    assert!(most < 0.05, "{spreads:?}");
-    // The trail as a whole; a single blade that is only grazed depends on where the ball was seen.
+    assert!(most < 0.05 && worst < 0.12, "{spreads:?}");
+    // The trail as a whole; a single blade may slip off the ball's side a little earlier or later.
     for sum in &sums[..2] {
-        assert!((sum / sums[2] - 1.0).abs() < 0.05, "{sums:?}");
+        assert!((sum / sums[2] - 1.0).abs() < 0.01, "{sums:?}");
     }
 }
 

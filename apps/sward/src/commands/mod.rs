@@ -6,6 +6,7 @@ mod compare;
 mod info;
 mod paper;
 mod render;
+mod wind;
 
 use crate::progress;
 use anyhow::Result;
@@ -26,6 +27,7 @@ pub enum Command {
     Compare(compare::Args),
     Info(info::Args),
     Paper(paper::Args),
+    Wind(wind::Args),
 }
 
 /// Runs a subcommand.
@@ -37,6 +39,7 @@ pub fn run(command: Command, quiet: bool) -> Result<()> {
         Command::Compare(args) => compare::run(args),
         Command::Info(args) => info::run(args),
         Command::Paper(args) => paper::run(args, quiet),
+        Command::Wind(args) => wind::run(args, quiet),
     }
 }
 

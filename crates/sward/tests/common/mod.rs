@@ -94,6 +94,31 @@ pub fn balls_near(draws: &mut Draws, blade: &Blade, count: usize) -> Vec<Primiti
     (0..count).map(&mut ball).collect()
 }
 
+/// A capsule, a ball that moved, or a box, in reach of `blade` or nearly.
+pub fn thing_near(draws: &mut Draws, blade: &Blade, kind: u32) -> Primitive {
+    let h = blade.height as f32;
+    let near = |draws: &mut Draws| {
+        let away = draws.unit() * f64::from(draws.between(0.0, 1.2)) * blade.height;
+        (blade.root + blade.up * 0.4 * blade.height + away).as_vec3()
+    };
+    let (from, to) = (near(draws), near(draws));
+    let radius = draws.between(0.05, 0.5) * h;
+    let axis = draws.unit().as_vec3();
+    match kind {
+        0 => Primitive::Capsule { from, to, radius },
+        1 => Primitive::Swept { from, to, radius },
+        _ => Primitive::Cuboid {
+            center: from,
+            half_extents: glam::Vec3::new(
+                draws.between(0.1, 1.0),
+                draws.between(0.1, 1.0),
+                draws.between(0.1, 1.0),
+            ) * h,
+            rotation: glam::Quat::from_axis_angle(axis, draws.between(0.0, 3.0)),
+        },
+    }
+}
+
 /// The adapter and device that GPU tests run on. Without one they fail: a GPU test that is
 /// skipped proves nothing.
 pub fn device() -> (wgpu::Device, wgpu::Queue) {

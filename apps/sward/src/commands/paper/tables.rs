@@ -105,7 +105,7 @@ impl Results {
              sphere."
                 .into(),
             "Culled counts are of blades in visible patches, and a blade that fails two tests \
-             counts in both, as in the paper. So 'culled by any of them' and 'blades drawn' add up \
+             counts in both, as is said of the paper's. So 'culled by any of them' and 'blades drawn' add up \
              to 'blades in visible patches', and the four tests may add up to more."
                 .into(),
             "The print was not at hand. That its table 2 counts culled blades by test is known at \

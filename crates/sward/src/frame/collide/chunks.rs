@@ -8,7 +8,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 /// Fewer than this are sorted on one thread.
-const PARALLEL: usize = 8192;
+const PARALLEL: usize = 1 << 16;
 
 /// Primitives as the GPU reads them: chunks of a box, then up to 64 primitives.
 #[derive(Debug, Default, Clone, PartialEq)]

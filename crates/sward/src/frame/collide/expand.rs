@@ -29,7 +29,9 @@ pub(crate) fn expand(colliders: &[Collider], model: PhysicsModel) -> Expanded {
     let sweep = model == PhysicsModel::Sward;
     let mut all = Expanded::default();
     for collider in colliders {
-        let Some(pose) = collider.pose.sound() else { continue };
+        let Some(pose) = collider.pose.sound().filter(|_| has_size(&collider.shape)) else {
+            continue;
+        };
         let last = collider.last_pose.and_then(Pose::sound).filter(|last| *last != pose);
         let moves = last.is_some() || !sweep;
         let into = if moves { &mut all.moving } else { &mut all.resting };
@@ -52,6 +54,18 @@ fn keep_sound(primitives: &mut Vec<Primitive>, first: usize) {
         index += 1;
         index <= first || primitive.is_sound()
     });
+}
+
+/// Whether a shape has a size: what is swept grows, which would hide that it has none.
+fn has_size(shape: &ColliderShape) -> bool {
+    let above_zero = |size: f32| size.is_finite() && size > 0.0;
+    match *shape {
+        ColliderShape::Sphere { radius } | ColliderShape::Capsule { radius, .. } => {
+            above_zero(radius)
+        }
+        ColliderShape::Cuboid { half_extents: h } => h.to_array().into_iter().all(above_zero),
+        ColliderShape::Spheres(_) => true,
+    }
 }
 
 fn placed(shape: &ColliderShape, pose: Pose, into: &mut Vec<Primitive>) {

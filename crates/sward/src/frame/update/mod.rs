@@ -20,36 +20,59 @@ pub(crate) enum Work {
 impl Work {
     const ALL: [Self; 3] = [Self::Simulate, Self::Test, Self::Both];
 
-    fn constants(self) -> [(&'static str, f64); 2] {
+    fn constants(self, placed_wind: bool) -> [(&'static str, f64); 3] {
         let on = |x: bool| f64::from(u8::from(x));
-        [("SIMULATE", on(self != Self::Test)), ("TEST", on(self != Self::Simulate))]
+        [
+            ("SIMULATE", on(self != Self::Test)),
+            ("TEST", on(self != Self::Simulate)),
+            ("PLACED_WIND", on(placed_wind)),
+        ]
     }
 }
 
-/// The update stage: a pipeline for each kind of work and of depth texture.
+/// A pipeline for each kind of work and of depth texture.
 #[derive(Debug)]
-pub(crate) struct Update {
+struct Pipelines {
     single: [wgpu::ComputePipeline; 3],
     multisampled: [wgpu::ComputePipeline; 3],
 }
 
-fn pipelines(
-    device: &wgpu::Device,
-    layouts: &Layouts,
-    shader: Shader,
-    depth: &wgpu::BindGroupLayout,
-) -> [wgpu::ComputePipeline; 3] {
-    let module = shader.module(device);
-    let groups = [&layouts.frame, &layouts.field, &layouts.update, depth];
-    Work::ALL.map(|work| compute(device, &module, "update", &groups, &work.constants()))
+/// The update stage. Most winds have no rotor, vortex or fan: they get pipelines that know none, as
+/// a device may run what a wind does not need.
+#[derive(Debug)]
+pub(crate) struct Update {
+    plain: Pipelines,
+    /// Made when it is first needed.
+    placed: Option<Pipelines>,
+    placed_wind: bool,
+}
+
+impl Pipelines {
+    fn new(device: &wgpu::Device, layouts: &Layouts, placed_wind: bool) -> Self {
+        let set = |shader: Shader, depth| {
+            let module = shader.module(device);
+            let groups = [&layouts.frame, &layouts.field, &layouts.update, depth];
+            let constants = |work: Work| work.constants(placed_wind);
+            Work::ALL.map(|work| compute(device, &module, "update", &groups, &constants(work)))
+        };
+        Self {
+            single: set(Shader::Update, &layouts.depth),
+            multisampled: set(Shader::UpdateMultisampled, &layouts.depth_multisampled),
+        }
+    }
 }
 
 impl Update {
     pub(crate) fn new(device: &wgpu::Device, layouts: &Layouts) -> Self {
-        let multisampled = Shader::UpdateMultisampled;
-        Self {
-            single: pipelines(device, layouts, Shader::Update, &layouts.depth),
-            multisampled: pipelines(device, layouts, multisampled, &layouts.depth_multisampled),
+        let plain = Pipelines::new(device, layouts, false);
+        Self { plain, placed: None, placed_wind: false }
+    }
+
+    /// Says whether some source of the wind has a place.
+    pub(crate) fn set_wind(&mut self, device: &wgpu::Device, layouts: &Layouts, placed: bool) {
+        self.placed_wind = placed;
+        if placed {
+            self.placed.get_or_insert_with(|| Pipelines::new(device, layouts, true));
         }
     }
 
@@ -62,7 +85,8 @@ impl Update {
         work: Work,
         multisampled: bool,
     ) {
-        let set = if multisampled { &self.multisampled } else { &self.single };
+        let pipelines = self.placed.as_ref().filter(|_| self.placed_wind).unwrap_or(&self.plain);
+        let set = if multisampled { &pipelines.multisampled } else { &pipelines.single };
         pass.set_pipeline(&set[work as usize]);
         pass.set_bind_group(2, &lists.update, &[]);
         pass.dispatch_workgroups_indirect(&page.work_size, 0);

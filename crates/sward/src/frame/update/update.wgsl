@@ -42,7 +42,7 @@ fn update(
     let band = bands[band_index];
     let stale = SIMULATE && band.step != frame.step;
     var decision = Decision(NO_BUCKET, 0u);
-    if local < count {
+    if local < count && (stale || TEST) {
         let blade = unpack_blade(index);
         var state = unpack_state(blade, dynamics[index]);
         if stale {

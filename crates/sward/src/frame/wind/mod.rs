@@ -25,7 +25,8 @@ use twin::Source;
 /// sources instead.
 ///
 /// Sources with a place are moved by the host, with [`WindSource::place`], before
-/// [`Wind::advance`]; their patterns move with them.
+/// [`Wind::advance`]; their patterns move with them. The first step with such a source makes the
+/// pipelines for it; a wind that has none costs nothing for them.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Wind {
     /// The sources; their sum is the wind. May be changed at any time; values that
@@ -84,6 +85,11 @@ impl Wind {
     #[doc(hidden)]
     pub fn gpu_sources(&self) -> Vec<GpuWindSource> {
         self.states().map(GpuWindSource::from).collect()
+    }
+
+    /// Whether some source has a place.
+    pub(crate) fn is_placed(&self) -> bool {
+        self.sources.iter().any(|source| source.position().is_some())
     }
 
     fn states(&self) -> impl Iterator<Item = Source> {

@@ -3,6 +3,9 @@
 // Of a moving source's past, so many seconds are told from its present velocity.
 const WIND_PAST_S: f32 = 4.0;
 const ROTOR: u32 = 3u;
+const FAN: u32 = 5u;
+// False where the wind has no such source: some devices would run what it does not need.
+override PLACED_WIND: bool = true;
 
 // From where the source was then to `position`, metres.
 fn from_source(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
@@ -42,8 +45,9 @@ fn spoke_wave(source: GpuWindSource, at: vec2<f32>, seconds_ago: f32, wander: f3
     return dot(power, vec2<f32>(cos(phase), sin(phase)));
 }
 
-// A rotor's wash or a vortex, at `hub_to` its hub.
-fn whirl_strength(source: GpuWindSource, hub_to: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
+// A rotor's wash or a vortex.
+fn whirl_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
+    let hub_to = from_source(source, position, seconds_ago);
     let at = hub_to.xz;
     let reach = dot(at, at) / (source.range * source.range);
     if reach >= 1.0 {
@@ -72,15 +76,18 @@ fn whirl_strength(source: GpuWindSource, hub_to: vec3<f32>, seconds_ago: f32) ->
     if source.pulse != 0.0 {
         spokes = source.pulse * speed * spoke_wave(source, at, seconds_ago, 3.0 * gusts.x);
     }
-    let shaken = gusts * (2.0 * source.turbulence * (speed + core));
+    // Where air comes down or goes up, it is the most irregular
+    let shaken =
+        gusts * (2.0 * source.turbulence * (speed + core * (1.0 + 2.0 * abs(source.flow.z))));
     let level = flow * (1.0 + spokes) + shaken;
     let upward =
         source.flow.z * core * core * (1.0 + spokes + 2.0 * source.turbulence * gusts.y);
     return vec3<f32>(level.x, upward, level.y) * strength;
 }
 
-// A jet that widens, at `fan_to` the fan's middle.
-fn fan_strength(source: GpuWindSource, fan_to: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
+// A jet that widens.
+fn fan_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
+    let fan_to = from_source(source, position, seconds_ago);
     let axis = source.flow;
     let along = dot(fan_to, axis);
     let reach = along / source.range;
@@ -105,4 +112,11 @@ fn fan_strength(source: GpuWindSource, fan_to: vec3<f32>, seconds_ago: f32) -> v
         direction += vec3<f32>(side.x, 0.0, side.y) * veer;
     }
     return direction * strength;
+}
+
+fn placed_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
+    if source.kind == FAN {
+        return fan_strength(source, position, seconds_ago);
+    }
+    return whirl_strength(source, position, seconds_ago);
 }

@@ -79,8 +79,8 @@ pub struct Cosine {
 /// run outward.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rotor {
-    /// The hub, metres. How high it is over the grass decides how strong the wash is: three
-    /// quarters are left at 2 radii, half at 4.
+    /// The hub, metres. How high it is over the grass decides how strong the wash is: four
+    /// fifths are left at 2 radii, half at 4.
     pub position: Vec3,
     /// How fast the hub moves, metres a second, up to 1000 along each axis: only for the wind of the
     /// past, which blades ask for that wake up. The host moves `position`.

@@ -139,7 +139,9 @@ impl Source {
         } else {
             self.pulse * speed * self.spoke_wave(at, seconds_ago, 3.0 * gusts.x)
         };
-        let shaken = gusts * (2.0 * self.turbulence * (speed + core));
+        // Where air comes down or goes up, it is the most irregular.
+        let shaken =
+            gusts * (2.0 * self.turbulence * (speed + core * (1.0 + 2.0 * self.flow.z.abs())));
         let level = flow * (1.0 + spokes) + shaken;
         let upward = self.flow.z * core * core * (1.0 + spokes + 2.0 * self.turbulence * gusts.y);
         dvec3(level.x, upward, level.y) * strength

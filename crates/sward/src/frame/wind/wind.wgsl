@@ -55,22 +55,21 @@ fn wind_at(position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
     var level = vec2<f32>(0.0);
     var sum = vec3<f32>(0.0);
     for (var i = 0u; i < frame.wind_count; i++) {
-        let source = wind_sources[i];
-        switch source.kind {
+        // Each kind reads what it needs, and no more
+        switch wind_sources[i].kind {
             case 0u: {
-                level += wave_strength(source, position, seconds_ago);
+                level += wave_strength(wind_sources[i], position, seconds_ago);
             }
             case 1u: {
-                level += gust_strength(source, position, seconds_ago);
+                level += gust_strength(wind_sources[i], position, seconds_ago);
             }
             case 2u: {
-                level += cosine_strength(source, position, seconds_ago);
-            }
-            case 3u, 4u: {
-                sum += whirl_strength(source, from_source(source, position, seconds_ago), seconds_ago);
+                level += cosine_strength(wind_sources[i], position, seconds_ago);
             }
             default: {
-                sum += fan_strength(source, from_source(source, position, seconds_ago), seconds_ago);
+                if PLACED_WIND {
+                    sum += placed_strength(wind_sources[i], position, seconds_ago);
+                }
             }
         }
     }
