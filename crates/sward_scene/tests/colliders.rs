@@ -322,6 +322,12 @@ fn many_rocks_are_packed_as_few_are() {
         assert_ne!(spheres(&many, i), spheres(&many, i + 1));
     }
     assert_eq!(many.collider.len(), 300);
-    let share = held(&many, 0.05);
-    assert!(share > 0.9, "{share}");
+    let copies = many.mesh.positions.chunks(many.mesh.positions.len() / 300);
+    for (i, (piece, copy)) in many.collider.iter().zip(copies).enumerate() {
+        let middle = copy.iter().sum::<Vec3>() / copy.len() as f32;
+        // Its vertices drawn in a little lie inside: it is the shape that is drawn there.
+        let drawn = copy.iter().step_by(40).map(|p| middle + (*p - middle) * 0.95);
+        let held = drawn.filter(|p| piece.obstacle().contains(*p)).count();
+        assert!(held * 10 > copy.len().div_ceil(40) * 9, "{i}: {held}");
+    }
 }
