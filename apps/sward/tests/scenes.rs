@@ -70,7 +70,10 @@ fn every_scene_is_valid() {
         let scene = shipped().join(format!("{name}.ron"));
         let output = folder.sward(&["check", scene.to_str().unwrap()]);
         assert_eq!(output.status.code(), Some(0), "{name}: {}", stderr(&output));
-        assert_eq!(stderr(&output), "", "{name} is to give no warning");
+        // Meshes are packed where no spheres are kept beside them yet.
+        let stderr = stderr(&output);
+        let warnings = stderr.lines().filter(|line| !line.starts_with("note: packed '"));
+        assert_eq!(warnings.collect::<Vec<_>>(), Vec::<&str>::new(), "{name} is to give none");
     }
 }
 
@@ -83,8 +86,8 @@ fn every_asset_has_its_licence_and_is_used() {
     let scenes: String = stems(&shipped(), "ron").iter().map(read).collect();
     for entry in std::fs::read_dir(&assets).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
-        // Spheres that fill a mesh are made when they are first wanted.
-        if name == "LICENSES.md" || name.ends_with(".pack") {
+        // Spheres that fill a mesh are made when they are first wanted, maybe at this moment.
+        if name == "LICENSES.md" || name.contains(".pack") {
             continue;
         }
         let headed = licences.lines().any(|line| line.starts_with("## ") && line.contains(&name));

@@ -10,7 +10,7 @@ mod wind;
 use crate::check::{Key, Problem};
 use crate::error::{SceneError, one_line};
 use crate::locate::locate;
-use crate::objects::Placed;
+use crate::objects::{MOST_SHAPES, Placed};
 use crate::schema::{FieldFile, SceneFile, Source};
 use crate::{Object, Scene, SceneField, assets};
 use ron::extensions::Extensions;
@@ -139,6 +139,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
 /// The objects, those that fields bring included, and for each field the index of its object.
 fn place(context: &mut Context, file: &SceneFile) -> Result<(Vec<Placed>, Vec<usize>), SceneError> {
     let mut placed = Vec::new();
+    let mut shapes = 0;
     for (index, object) in file.objects.iter().enumerate() {
         let carries = |name: &str| {
             file.fields.iter().any(|field| matches!(&field.on, Source::Object(on) if on == name))
@@ -147,6 +148,14 @@ fn place(context: &mut Context, file: &SceneFile) -> Result<(Vec<Placed>, Vec<us
         if placed.iter().any(|other: &Placed| other.name == object.name) {
             let cause = format!("the name '{}' is taken by an object before it", object.name);
             return Err(context.error(Key::list("objects", index).at("name").problem(cause)));
+        }
+        shapes += object.shapes();
+        if shapes > MOST_SHAPES {
+            let cause = format!(
+                "with the objects before it, {shapes} spheres, capsules and boxes push grass \
+                 aside, more than {MOST_SHAPES}; use fewer copies or spheres, or None"
+            );
+            return Err(context.error(Key::list("objects", index).at("collide").problem(cause)));
         }
         placed.push(object);
     }

@@ -279,3 +279,25 @@ fn a_mesh_with_a_hole_is_packed_and_told() {
     assert!(inside > 100, "{inside}");
     assert!(Path::new(&folder.packs()[0]).exists());
 }
+
+/// 2,500 copies: more than 1,000,000 spheres at 1,000 each.
+#[test]
+fn many_copies_share_a_million_spheres_and_it_is_told() {
+    let folder = Folder::new("many");
+    let ground = "(name: \"g\", source: Plane(size_m: (90, 90)))";
+    let boxes = "(name: \"b\", source: File(\"box.obj\"), above: \"g\", scatter: (count: 2500))";
+    let scene = folder.parse(&format!("{ground}, {boxes}")).unwrap();
+    let pieces = &scene.objects[1].collider;
+    let counts = pieces.iter().map(|piece| match piece.shape() {
+        ColliderShape::Spheres(spheres) => spheres.len(),
+        other => panic!("{other:?}"),
+    });
+    let all: usize = counts.sum();
+    assert!(pieces.len() == 2500 && all > 500_000 && all <= 1_000_000, "{all}");
+    let told = |note: &String| note.contains("'b': 2500 copies have 400 spheres each, not 1000");
+    assert!(scene.notes.iter().any(told), "{:?}", scene.notes);
+    // Several of them are too many for a scene, and the one that is too many is named.
+    let three = [1, 2, 3].map(|i| boxes.replace("\"b\"", &format!("\"b{i}\"")));
+    let error = folder.parse(&format!("{ground}, {}", three.join(", "))).unwrap_err().to_string();
+    assert!(error.contains("objects[3].collide: with the objects before it"), "{error}");
+}

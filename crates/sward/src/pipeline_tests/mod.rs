@@ -15,6 +15,7 @@ mod quantized;
 mod rig;
 mod saved;
 mod scenes;
+mod solids;
 mod sweep;
 mod tints;
 mod views;

@@ -46,7 +46,8 @@ const INSIDE: f64 = 0.5;
 
 impl Solid {
     /// Makes a solid of any triangle mesh. Triangles of no area are left out; a mesh whose triangles
-    /// all face inwards is turned.
+    /// all face inwards is turned. A hole is closed as if by a film across it: an open bowl is full
+    /// to its rim. Give it thickness where its hollow is to be outside.
     ///
     /// # Errors
     /// [`Error::Mesh`] where it is empty, an index is out of range, a coordinate is not finite or
@@ -75,7 +76,10 @@ impl Solid {
         let winding = Winding::new(&bvh, &corners);
         let open_edges = open_edges(mesh);
         let mut solid = Self { corners, bvh, winding, center, unit_m, open_edges };
-        if solid.faces_inwards()? {
+        // A closed mesh with a volume has an inside, and the volume's sign is the winding number's.
+        let volume = solid.signed_volume();
+        let told = open_edges == 0 && volume.abs() > 1e-3;
+        if if told { volume < 0.0 } else { solid.faces_inwards()? } {
             solid.corners.iter_mut().for_each(|corners| corners.swap(1, 2));
             solid.winding = Winding::new(&solid.bvh, &solid.corners);
         }
@@ -136,6 +140,12 @@ impl Solid {
     fn unit_distance_within(&self, point: Vec3, most: f32) -> f32 {
         let triangle = |i: u32| nearest::distance_squared(&self.corners[i as usize], point);
         self.bvh.nearest(point, most * most, triangle).sqrt()
+    }
+
+    /// Volume of a closed mesh, cubic units: negative where its triangles face inwards.
+    fn signed_volume(&self) -> f64 {
+        let corner = |[a, b, c]: &[Vec3; 3]| a.as_dvec3().dot(b.as_dvec3().cross(c.as_dvec3()));
+        self.corners.iter().map(corner).sum::<f64>() / 6.0
     }
 
     /// Whether what it encloses has a winding number of -1: its triangles face inwards.

@@ -57,8 +57,8 @@ const POINTS_A_SPHERE: u32 = 300;
 const POINTS: std::ops::RangeInclusive<u32> = 4_000..=400_000;
 /// Points of the box that coverage is counted with, a round; rounds at most; points inside that
 /// are enough.
-const COUNTED: u32 = 10_000;
-const ROUNDS: u32 = 30;
+const COUNTED: u32 = 5_000;
+const ROUNDS: u32 = 60;
 const ENOUGH: u32 = 2000;
 /// Powers of the inverse of the root of x^4 = x + 1.
 const R3: [f64; 3] = [0.819_172_513_396_164_4, 0.671_043_606_703_789_2, 0.549_700_477_901_970_4];

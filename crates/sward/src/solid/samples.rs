@@ -5,7 +5,7 @@ use glam::{UVec3, Vec3};
 use rayon::prelude::*;
 
 /// Points of the whole grid, at most: what a thin shell may cost.
-const MOST: f32 = 4e6;
+const MOST: f64 = 4e6;
 /// Points of the coarse grid that measures how much of the box is inside.
 const COARSE: f32 = 4e3;
 /// Times that an empty grid is made finer.
@@ -29,9 +29,9 @@ impl Samples {
         let (low, high) = solid.bvh.bounds();
         // A box that is flat in one axis still gets a layer of points.
         let volume = (high - low).max(Vec3::splat(1e-6)).element_product();
-        let coarse = Self::measure(solid, (volume / COARSE).cbrt());
+        let finest = finest(high - low);
+        let coarse = Self::measure(solid, (volume / COARSE).cbrt().max(finest));
         // As many points share the volume inside as are wanted, where the whole is not too many.
-        let finest = (volume / MOST).cbrt();
         let mut step =
             (coarse.step * (coarse.count().max(1) as f32 / wanted as f32).cbrt()).max(finest);
         for _ in 0..RETRIES {
@@ -65,8 +65,7 @@ impl Samples {
 
     fn measure(solid: &Solid, step: f32) -> Self {
         let (low, high) = solid.bvh.bounds();
-        // Odd, so that one lies in the middle: what is symmetric has its largest sphere there.
-        let size = ((high - low) / (2.0 * step)).ceil().as_uvec3() * 2 + 3;
+        let size = size(high - low, step).as_uvec3();
         let origin = (low + high) * 0.5 - (size.as_vec3() - 1.0) * (0.5 * step);
         let depths = vec![0.0; size.element_product() as usize];
         let mut samples = Self { size, origin, step, depths };
@@ -114,5 +113,50 @@ impl Samples {
         for (depth, outside) in self.depths.iter_mut().zip(outside) {
             *depth = depth.min(outside);
         }
+    }
+}
+
+/// Points along each side of the grid of a box: odd, so that one lies in the middle, where what is
+/// symmetric has its largest sphere; and a layer of outside all round.
+fn size(sides: Vec3, step: f32) -> Vec3 {
+    (sides / (2.0 * step)).ceil() * 2.0 + 3.0
+}
+
+/// The least distance between points that makes no more of them than [`MOST`]. The layers round a
+/// flat box may be many times those within it.
+fn finest(sides: Vec3) -> f32 {
+    let points = |step: f32| size(sides, step).as_dvec3().element_product();
+    let volume = sides.max(Vec3::splat(1e-6)).as_dvec3().element_product();
+    let mut step = (volume / MOST).cbrt() as f32;
+    while points(step) > MOST {
+        step *= 1.02;
+    }
+    step
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Mesh;
+
+    #[test]
+    fn no_box_has_too_many_points_and_each_has_one_inside() {
+        for sides in [
+            Vec3::ONE,
+            Vec3::new(1.41, 1.41, 1e-4),
+            Vec3::new(1e-6, 1.41, 1.41),
+            Vec3::new(2.0, 1e-6, 1e-6),
+            Vec3::new(2.0, 0.0, 0.01),
+            Vec3::splat(1e-3),
+        ] {
+            let points = size(sides, finest(sides)).as_dvec3().element_product();
+            assert!(points <= MOST && points > 0.5 * MOST, "{sides}: {points}");
+        }
+        let plate = |p: Vec3| p * Vec3::new(1.0, 1e-4, 1.0);
+        let mut ball = Mesh::sphere(1.0, 12).unwrap();
+        ball.positions.iter_mut().for_each(|p| *p = plate(*p));
+        let solid = Solid::new(&ball).unwrap();
+        let samples = Samples::inside(&solid, 400_000).unwrap();
+        assert!(samples.depths.len() as f64 <= MOST && samples.count() > 10_000);
     }
 }

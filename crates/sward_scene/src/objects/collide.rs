@@ -40,6 +40,14 @@ impl ColliderPiece {
         }
     }
 
+    /// Spheres, capsules and boxes that it is made of.
+    pub(crate) fn count(&self) -> usize {
+        match &self.shape {
+            Shape::Packed { spheres, .. } => spheres.len(),
+            _ => 1,
+        }
+    }
+
     /// The same as a thing that no root grows inside of: of a packed mesh the mesh itself.
     pub fn obstacle(&self) -> Obstacle {
         let pose = self.pose;
@@ -72,8 +80,10 @@ pub(crate) struct Pieces<'a> {
     file: &'a ObjectFile,
     kind: Kind,
     key: Key,
-    /// Merged meshes: one for all copies, or one each.
+    /// Merged meshes: one for all copies, or one a shape that copies take in turn.
     meshes: Vec<Mesh>,
+    /// What is coarser than asked for.
+    note: Option<String>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,10 +100,10 @@ enum Kind {
 const ROCK: PackDesc = PackDesc { spheres: 24, bulge: 0.004 };
 /// Spheres of a ball that a scale has stretched, and of a ring.
 const ROUND: PackDesc = PackDesc { spheres: 200, bulge: 0.002 };
-/// Copies that differ and are packed each; more are taken as balls.
-const MOST_PACKED: usize = 256;
 /// Spheres of one object.
 const MOST_SPHERES: usize = 1_000_000;
+/// Spheres, capsules and boxes of a scene's objects. The default limits of wgpu hold a few more.
+pub(crate) const MOST_SHAPES: usize = 2_000_000;
 
 impl<'a> Pieces<'a> {
     /// `carries`: whether grass grows on it.
@@ -104,9 +114,20 @@ impl<'a> Pieces<'a> {
         copies: usize,
     ) -> Result<Self, Problem> {
         let key = key.at("collide");
+        let mut note = None;
         let kind = match file.collide {
             CollideFile::Auto if carries || !file.visible => Kind::None,
-            CollideFile::Auto => automatic(file, copies),
+            CollideFile::Auto => match automatic(file) {
+                Kind::Packed(desc) => {
+                    let spheres = desc.spheres.min((MOST_SPHERES / copies.max(1)).max(1) as u32);
+                    if spheres < desc.spheres {
+                        let cause = format!("{copies} copies have {spheres} spheres each");
+                        note = Some(format!("{cause}, not {}; see `collide`", desc.spheres));
+                    }
+                    Kind::Packed(PackDesc { spheres, ..desc })
+                }
+                other => other,
+            },
             CollideFile::None => Kind::None,
             CollideFile::Box => Kind::Box,
             CollideFile::Sphere => Kind::Sphere,
@@ -126,10 +147,10 @@ impl<'a> Pieces<'a> {
                 Kind::Packed(PackDesc { spheres: spheres as u32, bulge })
             }
         };
-        Ok(Self { file, kind, key, meshes: Vec::new() })
+        Ok(Self { file, kind, key, meshes: Vec::new(), note })
     }
 
-    /// Takes a copy's mesh, before it is placed.
+    /// Takes a shape of its copies, before it is placed.
     pub(crate) fn take(&mut self, parts: &[Part]) {
         if self.kind != Kind::None {
             let mut merged = Mesh::default();
@@ -138,7 +159,7 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// The pieces of all copies; `transform` is what each copy has had before it was placed.
+    /// The pieces of all copies, which take the shapes in turn; `transform` is what each copy has had before it was placed.
     pub(crate) fn finish(
         mut self,
         context: &mut Context,
@@ -165,8 +186,11 @@ impl<'a> Pieces<'a> {
                 Err(cause) => return Err(context.error(self.key.problem(cause))),
             }
         }
+        if let Some(note) = self.note {
+            context.note(format!("object '{name}': {note}"));
+        }
         let piece = |(i, stand): (usize, &Stand)| {
-            let (model, center) = models.get(i).or(models.last())?;
+            let (model, center) = models.get(i % models.len().max(1))?;
             let factor = stand.scale * size;
             let turn = stand.turn * rotation;
             let at = stand.at + stand.turn * translation * stand.scale;
@@ -230,11 +254,10 @@ impl<'a> Pieces<'a> {
     }
 }
 
-fn automatic(file: &ObjectFile, copies: usize) -> Kind {
+fn automatic(file: &ObjectFile) -> Kind {
     let even = file.scale.0.iter().all(|&factor| factor == file.scale.0[0] && factor > 0.0);
     match &file.source {
         Source::File(_) => Kind::Packed(PackDesc::default()),
-        Source::Rock(_) if copies > MOST_PACKED => Kind::Sphere,
         Source::Rock(_) => Kind::Packed(ROCK),
         Source::Tree(tree) => Kind::Trunk(tree.height_m),
         Source::Sphere(_) if even => Kind::Sphere,

@@ -10,12 +10,12 @@ use glam::{UVec2, Vec2};
 use sward::Mesh;
 use sward::grow::terrain::NoiseTerrain;
 
-/// Makes what a source describes; `copy` numbers the copies of rocks and trees, which all differ.
+/// Makes what a source describes; `shape` numbers the shapes of rocks and trees.
 pub(crate) fn parts(
     context: &mut Context,
     source: &Source,
     key: &Key,
-    copy: u32,
+    shape: u32,
 ) -> Result<Vec<Part>, SceneError> {
     let mesh = match source {
         Source::File(file) => return assets::load_mesh(&context.resolve(file)),
@@ -24,12 +24,12 @@ pub(crate) fn parts(
             let cause = format!("Object(\"{name}\") is for a field's `on`; name a mesh here");
             return Err(context.error(key.problem(cause)));
         }
-        generated => generate(generated, key, copy).map_err(|problem| context.error(problem))?,
+        generated => generate(generated, key, shape).map_err(|problem| context.error(problem))?,
     };
     Ok(vec![mesh.into()])
 }
 
-fn generate(source: &Source, key: &Key, copy: u32) -> Result<Mesh, Problem> {
+fn generate(source: &Source, key: &Key, shape: u32) -> Result<Mesh, Problem> {
     let segments = |count: u32| {
         key.at("segments").integer(count.into(), 4, 1024)?;
         Ok(count.div_ceil(2))
@@ -71,7 +71,7 @@ fn generate(source: &Source, key: &Key, copy: u32) -> Result<Mesh, Problem> {
         }
         Source::Rock(rock) => {
             key.at("rough").within(rock.rough, 0.0, 1.0)?;
-            let seed = rock.seed.wrapping_add(copy);
+            let seed = rock.seed.wrapping_add(shape);
             Ok(shapes::rock(length("radius_m", rock.radius_m)?, rock.rough, seed))
         }
         Source::Tree(tree) => Ok(shapes::tree(&shapes::Tree {
@@ -79,7 +79,7 @@ fn generate(source: &Source, key: &Key, copy: u32) -> Result<Mesh, Problem> {
             crown_m: length("crown_m", tree.crown_m)?,
             leaf: key.at("leaf_color").color(tree.leaf_color)?,
             bark: key.at("bark_color").color(tree.bark_color)?,
-            seed: tree.seed.wrapping_add(copy),
+            seed: tree.seed.wrapping_add(shape),
         })),
         Source::File(_) | Source::Heightmap(_) | Source::Object(_) => Ok(Mesh::default()),
     };

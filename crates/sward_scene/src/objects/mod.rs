@@ -8,6 +8,7 @@ pub(crate) mod random;
 mod shapes;
 
 pub use collide::ColliderPiece;
+pub(crate) use collide::MOST_SHAPES;
 pub(crate) use place::{Placed, find};
 
 use crate::TextureImage;

@@ -108,6 +108,11 @@ impl Placed {
         merged
     }
 
+    /// Spheres, capsules and boxes that push grass aside for it.
+    pub(crate) fn shapes(&self) -> usize {
+        self.collider.iter().map(ColliderPiece::count).sum()
+    }
+
     /// What keeps roots out: what moves does not.
     pub(crate) fn obstacles(&self) -> impl Iterator<Item = Obstacle> {
         let resting = self.collider.iter().filter(|_| self.path.is_none());
@@ -162,14 +167,15 @@ fn assemble(
     pieces: &mut Pieces,
 ) -> Result<Vec<Part>, SceneError> {
     let mut parts: Vec<Part> = Vec::new();
-    let same = !matches!(file.source, Source::Rock(_) | Source::Tree(_));
-    let mut made = generate::parts(context, &file.source, &key.at("source"), 0)?;
-    pieces.take(&made);
+    let differ = matches!(file.source, Source::Rock(_) | Source::Tree(_));
+    let mut shapes: Vec<Vec<Part>> = Vec::new();
     for copy in copies {
-        if !same && copy.number > 0 {
-            made = generate::parts(context, &file.source, &key.at("source"), copy.number)?;
-            pieces.take(&made);
+        let shape = if differ { copy.number % SHAPES } else { 0 };
+        if shapes.len() as u32 == shape {
+            shapes.push(generate::parts(context, &file.source, &key.at("source"), shape)?);
+            shapes.last().into_iter().for_each(|made| pieces.take(made));
         }
+        let Some(made) = shapes.get(shape as usize) else { continue };
         let Stand { scale, turn, at } = copy.stand();
         let placed = Affine3A::from_scale_rotation_translation(Vec3::splat(scale), turn, at);
         for (i, part) in made.iter().enumerate() {
@@ -193,6 +199,9 @@ fn assemble(
 
 /// Colour of an object that sets none.
 const GREY: [f32; 3] = [0.35, 0.34, 0.32];
+
+/// Shapes that rocks and trees come in; copies take them in turn, so that many thousand load soon.
+const SHAPES: u32 = 64;
 
 /// Most vertices of all copies of an object.
 const MAX_VERTICES: usize = 50_000_000;

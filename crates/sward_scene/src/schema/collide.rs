@@ -7,7 +7,8 @@ use serde::Deserialize;
 #[derive(Debug, Clone, Copy, Default, PartialEq, Deserialize)]
 pub enum CollideFile {
     /// As what it is made from asks for: mesh files as `Packed()`, rocks with fewer spheres, trees
-    /// with their trunks, balls as `Sphere`. Not at all: what carries grass, is not visible, or is
+    /// with their trunks, balls as `Sphere`. Where all copies would have more than 1,000,000 spheres,
+    /// each has fewer, and a note says how many. Not at all: what carries grass, is not visible, or is
     /// a sheet.
     #[default]
     Auto,
@@ -19,7 +20,7 @@ pub enum CollideFile {
     Sphere,
     /// A capsule along its bounding box's longest side that holds it; of a tree, its trunk.
     Capsule,
-    /// Spheres that fill its mesh.
+    /// Spheres that fill its mesh. A hole is closed as if by a film: an open bowl is full to its rim.
     Packed(PackedFile),
 }
 
@@ -27,7 +28,8 @@ pub enum CollideFile {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct PackedFile {
-    /// How many at most, 1..=65536; default 1000: more follow the shape more closely.
+    /// How many at most, 1..=65536; default 1000: more follow the shape more closely. All copies
+    /// together have at most 1,000,000.
     pub spheres: u32,
     /// How far one may bulge over the surface, as a share of the mesh's diagonal, 0..=0.1; default
     /// 0.001. More covers thin parts with fewer spheres.

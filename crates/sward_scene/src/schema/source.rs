@@ -177,7 +177,7 @@ pub struct RockFile {
     pub radius_m: f32,
     /// How far the surface strays from a ball, 0..=1 of the radius; default 0.35.
     pub rough: f32,
-    /// Same seed, same rock; default 1. Each copy takes the next.
+    /// Same seed, same rock; default 1. Each copy takes the next, of 64; then they come again.
     pub seed: u32,
 }
 
@@ -199,7 +199,7 @@ pub struct TreeFile {
     pub leaf_color: Color,
     /// Colour of the bark.
     pub bark_color: Color,
-    /// Same seed, same tree; default 1. Each copy takes the next.
+    /// Same seed, same tree; default 1. Each copy takes the next, of 64; then they come again.
     pub seed: u32,
 }
 
