@@ -301,3 +301,33 @@ fn many_copies_share_a_million_spheres_and_it_is_told() {
     let error = folder.parse(&format!("{ground}, {}", three.join(", "))).unwrap_err().to_string();
     assert!(error.contains("objects[3].collide: with the objects before it"), "{error}");
 }
+
+#[test]
+fn many_rocks_are_packed_as_few_are() {
+    let folder = Folder::new("rocks");
+    let rocks = |count: usize| {
+        let ground = "(name: \"g\", source: Plane(size_m: (90, 90)))";
+        let rocks = format!("(source: Rock(), above: \"g\", scatter: (count: {count}))");
+        folder.parse(&format!("{ground}, {rocks}")).unwrap().objects.remove(1)
+    };
+    let (few, many) = (rocks(3), rocks(300));
+    let spheres = |object: &Object, i: usize| match object.collider[i].shape() {
+        ColliderShape::Spheres(spheres) => spheres.to_vec(),
+        other => panic!("{other:?}"),
+    };
+    for i in 0..3 {
+        assert_eq!(spheres(&few, i), spheres(&many, i));
+        // The shapes come again, where meshes and spheres still agree.
+        assert_eq!(spheres(&many, i), spheres(&many, i + 64));
+        assert_ne!(spheres(&many, i), spheres(&many, i + 1));
+    }
+    assert_eq!(many.collider.len(), 300);
+    let copies = many.mesh.positions.chunks(many.mesh.positions.len() / 300);
+    for (i, (piece, copy)) in many.collider.iter().zip(copies).enumerate() {
+        let middle = copy.iter().sum::<Vec3>() / copy.len() as f32;
+        // Its vertices drawn in a little lie inside: it is the shape that is drawn there.
+        let drawn = copy.iter().step_by(40).map(|p| middle + (*p - middle) * 0.95);
+        let held = drawn.filter(|p| piece.obstacle().contains(*p)).count();
+        assert!(held * 10 > copy.len().div_ceil(40) * 9, "{i}: {held}");
+    }
+}
