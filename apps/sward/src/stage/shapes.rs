@@ -53,8 +53,9 @@ fn cuboid(half: Vec3) -> Mesh {
     let mut mesh = Mesh::default();
     for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
         for normal in [axis, -axis] {
+            // u x v is the normal, also where that is negative
             let (u, v) =
-                (Vec3::new(normal.y, normal.z, normal.x), Vec3::new(normal.z, normal.x, normal.y));
+                (Vec3::new(axis.z, axis.x, axis.y), Vec3::new(normal.y, normal.z, normal.x));
             let first = mesh.positions.len() as u32;
             for (s, t) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
                 mesh.positions.push((normal + u * s + v * t) * half);

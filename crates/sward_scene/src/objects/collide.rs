@@ -97,7 +97,7 @@ enum Kind {
 }
 
 /// Spheres of a rock: it is round.
-const ROCK: PackDesc = PackDesc { spheres: 24, bulge: 0.004 };
+const ROCK: PackDesc = PackDesc { spheres: 80, bulge: 0.006 };
 /// Spheres of a ball that a scale has stretched, and of a ring.
 const ROUND: PackDesc = PackDesc { spheres: 200, bulge: 0.002 };
 /// Spheres of one object.
