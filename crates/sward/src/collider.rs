@@ -79,8 +79,8 @@ pub struct Collider<'a> {
     pub pose: Pose,
     /// Where it was at the last step: it is swept from there, so that nothing on its way is
     /// missed. None, or the same pose, for what rests, or for what was put elsewhere: it wakes no
-    /// blade that sleeps, and costs next to nothing while it stays. More than 20 m from `pose`
-    /// counts as put elsewhere too.
+    /// blade that sleeps, and costs the GPU nothing while it stays; the host still reads its shape in
+    /// each step. More than 20 m from `pose` counts as put elsewhere too.
     pub last_pose: Option<Pose>,
 }
 

@@ -52,7 +52,8 @@ pub struct View<'a> {
     /// chooses by size. For pictures that compare levels; more segments cost more vertices.
     pub level: Option<u8>,
     /// What to show in place of the blades' own look; `None` is their look. Of
-    /// [`crate::Renderer::cull`] only, as is `observer`.
+    /// [`crate::Renderer::cull`] only, as is `observer`. Of several views, only one at a time may
+    /// show `Culling` or `Awake`.
     pub debug: Option<DebugView>,
     /// Draws what this view culled as another camera sees it; `opaque_depth` stays this view's.
     pub observer: Option<Observer>,

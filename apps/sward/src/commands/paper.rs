@@ -86,12 +86,13 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     output::prepare_file("-o", &args.output.join("tables.json"))?;
     let results = measure(&gpu, &scenes, settings, published)?;
     drop(gpu);
+    write_tables(&args.output, &results)?;
     let figures = if args.no_pictures { Vec::new() } else { figures::all()? };
     let bar = progress::bar(quiet, "pictures", figures::count(&figures) as u64);
     // The scenes' cameras are set up for this shape.
     let picture = [size[0], (size[0] * 9).div_ceil(16).max(1)];
     let folders = Folders { scenes: &folder, output: &args.output, size: picture };
-    let outcomes = figures::draw(&figures, folders, &bar)?;
+    let outcomes = figures::draw(&figures, folders, &bar);
     drop(bar);
     write(&args.output, &Page { results: &results, figures: &figures, outcomes: &outcomes })?;
     scenes.iter().for_each(|(_, scene)| tell_notes(scene, quiet));
@@ -114,10 +115,14 @@ fn measure(
     Results::new(runs, published, settings)
 }
 
+/// The tables do not wait for the pictures, which take longer.
+fn write_tables(folder: &Path, results: &Results) -> Result<()> {
+    output::write_json(&folder.join("tables.json"), &results.json())?;
+    output::write_text(&folder.join("tables.md"), &results.markdown())
+}
+
 /// The page comes last: where it is there, all that it links to is.
 fn write(folder: &Path, page: &Page) -> Result<()> {
-    output::write_json(&folder.join("tables.json"), &page.results.json())?;
-    output::write_text(&folder.join("tables.md"), &page.results.markdown())?;
     output::write_text(&folder.join("index.md"), &page.markdown())?;
     output::write_text(&folder.join("index.html"), &page.html())
 }

@@ -26,8 +26,10 @@ impl Ground {
                 ground.raise([a, b, c], frame);
             }
         }
-        let known: Vec<f32> = ground.heights.iter().copied().filter(|h| h.is_finite()).collect();
-        ground.beyond = known.iter().sum::<f32>() / known.len().max(1) as f32;
+        let known = ground.heights.iter().filter(|height| height.is_finite());
+        let (sum, count) =
+            known.fold((0.0, 0_u32), |(sum, count), &height| (sum + f64::from(height), count + 1));
+        ground.beyond = (sum / f64::from(count.max(1))) as f32;
         ground
     }
 

@@ -2,7 +2,7 @@
 //! the page shows beside it, run inside this program.
 
 use crate::progress::Progress;
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Result, anyhow, bail};
 use clap::Parser;
 use serde::Deserialize;
 use std::path::Path;
@@ -73,12 +73,11 @@ pub struct Folders<'a> {
 }
 
 /// Draws all pictures; one list of outcomes a figure.
-pub fn draw(figures: &[Figure], folders: Folders, bar: &Progress) -> Result<Vec<Vec<Outcome>>> {
+pub fn draw(figures: &[Figure], folders: Folders, bar: &Progress) -> Vec<Vec<Outcome>> {
     let one = |picture: &Picture| {
-        let outcome =
-            draw_one(picture, folders).with_context(|| format!("the picture {}", picture.file));
+        let outcome = draw_one(picture, folders);
         bar.step();
-        outcome
+        outcome.unwrap_or_else(|error| Outcome::Missing(format!("{error:#}")))
     };
     figures.iter().map(|figure| figure.pictures.iter().map(one).collect()).collect()
 }

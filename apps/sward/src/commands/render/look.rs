@@ -226,7 +226,7 @@ fn legend(choice: DebugChoice, counted: &Statistics) -> Legend {
 
 /// Tests that single blades failed are counted in the patches that are seen.
 fn culled(meaning: &str, counted: &Statistics) -> String {
-    let hidden = counted.blades - counted.blades_visible;
+    let hidden = counted.blades.saturating_sub(counted.blades_visible);
     match meaning {
         "frustum" => format!(
             "frustum: {} and {} in unseen patches",
