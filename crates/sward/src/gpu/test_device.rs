@@ -25,17 +25,7 @@ pub(crate) fn read<T: bytemuck::Pod>(
     queue: &wgpu::Queue,
     buffer: &wgpu::Buffer,
 ) -> Vec<T> {
-    let staging = device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("test.read"),
-        size: buffer.size(),
-        usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, buffer.size());
-    queue.submit([encoder.finish()]);
-    staging.map_async(wgpu::MapMode::Read, .., |result| result.expect("the buffer maps"));
-    device.poll(wgpu::PollType::wait_indefinitely()).expect("the work ends");
-    let view = staging.get_mapped_range(..).expect("the buffer is mapped");
-    bytemuck::pod_collect_to_vec(&view[..])
+    let mut bytes = Vec::new();
+    super::read::append(device, queue, buffer, &mut bytes).expect("the buffer is read back");
+    bytemuck::pod_collect_to_vec(&bytes)
 }
