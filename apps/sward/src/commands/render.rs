@@ -1,6 +1,7 @@
 //! `sward render`: pictures and sequences.
 
 mod look;
+mod places;
 
 use super::{grow_timed, load, tell, tell_notes};
 use crate::args::{self, Frames, Size};

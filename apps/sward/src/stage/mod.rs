@@ -11,7 +11,9 @@ mod movers;
 mod opaque;
 mod options;
 mod passes;
+mod post;
 mod readback;
+mod reference;
 mod resume;
 mod shapes;
 mod targets;
@@ -28,13 +30,11 @@ use image::RgbImage;
 use movers::Movers;
 use opaque::Opaque;
 use options::view;
-use passes::{Accumulator, Passes};
+use passes::Sky;
+use post::{Drawn, Post};
 use sward::{Field, Frame, Light, Renderer, Statistics, Wind};
-use sward_scene::{Scene, SceneWind};
+use sward_scene::{Daylight, Scene, SceneWind};
 use targets::Targets;
-
-/// Renders a side that a reference adds up: 8 x 8 places inside a pixel, one sample each.
-const REFERENCE_GRID: u32 = 8;
 
 /// A scene with its grass, ready to be stepped and drawn.
 #[derive(Debug)]
@@ -45,10 +45,12 @@ pub struct Stage {
     targets: Targets,
     uniform: FrameUniform,
     opaque: Opaque,
-    passes: Passes,
+    sky: Sky,
+    post: Post,
     wind: Wind,
     wind_paths: Vec<SceneWind>,
     light: Light,
+    daylight: Option<Daylight>,
     gravity: sward::Gravity,
     movers: Movers,
     time_s: f64,
@@ -83,16 +85,16 @@ impl Stage {
                 .add_field(device, grown)
                 .with_context(|| format!("{}: field '{}'", scene.path.display(), field.name))?;
         }
-        let mut light = scene.light();
-        if !options.haze {
-            light.haze_per_m = 0.0;
-        }
-        let uniform = FrameUniform::new(device, scene, &light);
+        let mut uniform = FrameUniform::new(device, &options);
+        let warm_up_s = f64::from(scene.warm_up_s);
+        let (sun, sky) = scene.light_at(-warm_up_s);
+        let light = options::light(&options, &sun, &sky);
+        uniform.set_light(&light, &sky);
         let targets = Targets::new(device, options.size, samples);
         let movers = Movers::new(scene);
         let opaque = Opaque::new(gpu, &uniform, scene, &movers, samples);
-        let passes = Passes::new(device, &uniform, &targets, samples);
-        let warm_up_s = f64::from(scene.warm_up_s);
+        let sky = Sky::new(device, &uniform, samples);
+        let post = Post::new(device, &uniform, &targets, &options);
         let mut stage = Self {
             gpu: gpu.clone(),
             options,
@@ -100,10 +102,12 @@ impl Stage {
             targets,
             uniform,
             opaque,
-            passes,
+            sky,
+            post,
             wind: Wind::new(scene.wind_at(-warm_up_s))?,
             wind_paths: scene.wind.clone(),
             light,
+            daylight: scene.daylight.filter(|day| day.hours_per_s != 0.0),
             gravity: scene.gravity,
             movers,
             time_s: -warm_up_s,
@@ -165,32 +169,6 @@ impl Stage {
         readback::read(&self.gpu, &self.targets.picture)
     }
 
-    fn render_reference(&mut self) -> Result<()> {
-        let mut sum = Accumulator::new(&self.gpu.device, &self.uniform, &self.targets);
-        let step = 1.0 / REFERENCE_GRID as f32;
-        for i in 0..REFERENCE_GRID * REFERENCE_GRID {
-            let cell = Vec2::new((i % REFERENCE_GRID) as f32, (i / REFERENCE_GRID) as f32);
-            self.jitter_px = (cell + 0.5) * step - 0.5;
-            self.depth_is_opaque = false;
-            self.write_camera(step * step);
-            let mut encoder = self.encoder();
-            self.encode_opaque(&mut encoder);
-            self.encode_cull(&mut encoder)?;
-            self.encode_draw(&mut encoder);
-            sum.add(&self.gpu.device, &mut encoder, &self.uniform, self.targets.linear());
-            self.submit(encoder);
-            self.gpu.wait()?;
-        }
-        self.jitter_px = Vec2::ZERO;
-        self.depth_is_opaque = false;
-        self.write_camera(1.0);
-        let mut encoder = self.encoder();
-        let device = &self.gpu.device;
-        self.passes.run_post_from(device, &mut encoder, &self.uniform, &self.targets, sum.sum());
-        self.submit(encoder);
-        Ok(())
-    }
-
     /// Records one step of the simulation.
     ///
     /// # Errors
@@ -215,13 +193,19 @@ impl Stage {
         Ok(self.renderer.simulate(&self.gpu.device, encoder, &frame)?)
     }
 
-    /// What moves by itself, without the grass: time, wind, things and bodies.
+    /// What moves by itself, without the grass: time, sun, wind, things and bodies.
     fn follow(&mut self, dt_s: f64) {
         self.last_time_s = self.time_s;
         self.time_s += dt_s;
         self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(self.time_s)).collect();
         self.wind.advance(dt_s);
         self.movers.advance(self.time_s);
+        if let Some(day) = self.daylight {
+            let (sun, sky) = day.at(self.time_s);
+            self.light = options::light(&self.options, &sun, &sky);
+            self.uniform.set_light(&self.light, &sky);
+            self.write_camera(1.0);
+        }
     }
 
     /// Records the depth of the opaque things, unless it is there already.
@@ -280,14 +264,18 @@ impl Stage {
         });
         self.renderer.draw(&mut pass, 0);
         self.opaque.draw_color(&mut pass, &self.uniform);
-        self.passes.draw_sky(&mut pass, &self.uniform);
+        self.sky.draw(&mut pass, &self.uniform);
         drop(pass);
         self.depth_is_opaque = false;
     }
 
-    /// Records tone mapping and encoding into the picture.
+    /// Records what is done to the picture once it is drawn: fog and depth of field where the
+    /// options have them, tone mapping, encoding.
     pub fn encode_post(&mut self, encoder: &mut wgpu::CommandEncoder) {
-        self.passes.run_post(encoder, &self.uniform, &self.targets);
+        let (device, frame, targets) = (&self.gpu.device, &self.uniform, &self.targets);
+        let position = self.post.position(device, encoder, frame, &targets.depth);
+        let drawn = Drawn { color: targets.linear(), position };
+        self.post.run(device, encoder, frame, drawn, &targets.picture_view);
     }
 
     fn depth_attachment(

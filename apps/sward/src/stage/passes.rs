@@ -1,87 +1,50 @@
-//! The full-screen passes of a frame, bound to its targets.
+//! The sky, and sums of pictures: full-screen passes that belong to no stage of their own.
 
 use super::frame::FrameUniform;
-use super::fullscreen::{Fullscreen, FullscreenDesc};
-use super::targets::{Targets, texture};
+use super::fullscreen::{Fullscreen, FullscreenDesc, Input};
+use super::targets::texture;
 use crate::gpu::COLOR_FORMAT;
 
 const SUM_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
-/// A full-screen pass with its inputs.
+/// What is seen where nothing is.
 #[derive(Debug)]
-struct Bound {
+pub(super) struct Sky {
     pass: Fullscreen,
     inputs: wgpu::BindGroup,
 }
 
-/// Sky and post.
-#[derive(Debug)]
-pub(super) struct Passes {
-    sky: Bound,
-    post: Bound,
-}
-
-impl Passes {
-    pub fn new(
-        device: &wgpu::Device,
-        frame: &FrameUniform,
-        targets: &Targets,
-        samples: u32,
-    ) -> Self {
-        let make = |desc: FullscreenDesc, views: &[&wgpu::TextureView]| {
-            let pass = Fullscreen::new(device, &frame.layout, &desc);
-            let inputs = pass.bind(device, views);
-            Bound { pass, inputs }
-        };
-        let sky = FullscreenDesc {
+impl Sky {
+    pub fn new(device: &wgpu::Device, frame: &FrameUniform, samples: u32) -> Self {
+        let desc = FullscreenDesc {
             name: "sky",
             source: concat!(include_str!("sky_model.wgsl"), include_str!("sky.wgsl")),
-            format: COLOR_FORMAT,
+            formats: &[COLOR_FORMAT],
             samples,
-            inputs: 0,
+            inputs: &[],
+            constants: &[],
             background: true,
         };
-        let post = FullscreenDesc {
-            name: "post",
-            source: include_str!("post.wgsl"),
-            format: targets.picture.format(),
-            samples: 1,
-            inputs: 1,
-            background: false,
-        };
-        Self { sky: make(sky, &[]), post: make(post, &[targets.linear()]) }
+        let pass = Fullscreen::new(device, &frame.layout, &desc);
+        Self { inputs: pass.bind(device, &[]), pass }
     }
 
     /// Fills the background of an open pass.
-    pub fn draw_sky(&self, pass: &mut wgpu::RenderPass, frame: &FrameUniform) {
-        self.sky.pass.draw(pass, &frame.group, &self.sky.inputs);
-    }
-
-    /// From linear light to the picture.
-    pub fn run_post(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        frame: &FrameUniform,
-        targets: &Targets,
-    ) {
-        self.post.pass.run(encoder, &targets.picture_view, &frame.group, &self.post.inputs);
-    }
-
-    /// The same from another colour, such as a sum.
-    pub fn run_post_from(
-        &self,
-        device: &wgpu::Device,
-        encoder: &mut wgpu::CommandEncoder,
-        frame: &FrameUniform,
-        targets: &Targets,
-        color: &wgpu::TextureView,
-    ) {
-        let inputs = self.post.pass.bind(device, &[color]);
-        self.post.pass.run(encoder, &targets.picture_view, &frame.group, &inputs);
+    pub fn draw(&self, pass: &mut wgpu::RenderPass, frame: &FrameUniform) {
+        self.pass.draw(pass, &frame.group, &self.inputs);
     }
 }
 
-/// A weighted sum of pictures in linear light, 32 bits a channel.
+/// How pictures are brought together.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Sum {
+    /// Colours, by the frame's weight.
+    Colors,
+    /// World positions: the nearest.
+    Positions,
+}
+
+/// What comes of several pictures of one place, 32 bits a channel.
 #[derive(Debug)]
 pub(super) struct Accumulator {
     pass: Fullscreen,
@@ -91,25 +54,30 @@ pub(super) struct Accumulator {
 
 impl Accumulator {
     /// Starts at zero, as new textures are.
-    pub fn new(device: &wgpu::Device, frame: &FrameUniform, targets: &Targets) -> Self {
+    pub fn new(device: &wgpu::Device, frame: &FrameUniform, size: [u32; 2], sum: Sum) -> Self {
+        let (name, source) = match sum {
+            Sum::Colors => ("accumulate", include_str!("accumulate.wgsl")),
+            Sum::Positions => ("nearest", include_str!("post/nearest.wgsl")),
+        };
         let desc = FullscreenDesc {
-            name: "accumulate",
-            source: include_str!("accumulate.wgsl"),
-            format: SUM_FORMAT,
+            name,
+            source,
+            formats: &[SUM_FORMAT],
             samples: 1,
-            inputs: 2,
+            inputs: &[Input::Color; 2],
+            constants: &[],
             background: false,
         };
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
         let sum = || {
-            texture(device, "sward.stage.sum", targets.size, SUM_FORMAT, 1, usage)
+            texture(device, "sward.stage.sum", size, SUM_FORMAT, 1, usage)
                 .create_view(&Default::default())
         };
         let pass = Fullscreen::new(device, &frame.layout, &desc);
         Self { pass, sums: [sum(), sum()], added: 0 }
     }
 
-    /// Adds the frame's picture, times the frame's weight.
+    /// Adds the frame's picture.
     pub fn add(
         &mut self,
         device: &wgpu::Device,
@@ -119,7 +87,7 @@ impl Accumulator {
     ) {
         let (from, to) = (self.added % 2, (self.added + 1) % 2);
         let inputs = self.pass.bind(device, &[picture, &self.sums[from]]);
-        self.pass.run(encoder, &self.sums[to], &frame.group, &inputs);
+        self.pass.run(encoder, &[&self.sums[to]], &frame.group, &inputs);
         self.added += 1;
     }
 

@@ -1,13 +1,23 @@
-//! Pictures back from the GPU.
+//! Textures back from the GPU.
 
 use crate::gpu::Gpu;
 use anyhow::{Context, Result};
+use bytemuck::AnyBitPattern;
 use image::RgbImage;
 
 /// Copies an `Rgba8Unorm` texture into a picture without alpha.
 pub(super) fn read(gpu: &Gpu, texture: &wgpu::Texture) -> Result<RgbImage> {
     let (width, height) = (texture.width(), texture.height());
-    let row = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let texels = read_texels::<[u8; 4]>(gpu, texture)?;
+    let pixels = texels.into_iter().flat_map(|[r, g, b, _]| [r, g, b]).collect();
+    RgbImage::from_raw(width, height, pixels).context("the picture came back with a wrong size")
+}
+
+/// Copies a texture whose texels are each a `T`, by rows from the top.
+pub(super) fn read_texels<T: AnyBitPattern>(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<T>> {
+    let (width, height) = (texture.width(), texture.height());
+    let line = width * size_of::<T>() as u32;
+    let row = line.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
     let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("sward.stage.readback"),
         size: u64::from(row) * u64::from(height),
@@ -31,11 +41,10 @@ pub(super) fn read(gpu: &Gpu, texture: &wgpu::Texture) -> Result<RgbImage> {
     buffer.map_async(wgpu::MapMode::Read, .., |_| {});
     gpu.wait()?;
     let bytes = buffer.get_mapped_range(..).context("the picture cannot be read back")?;
-    let mut pixels = Vec::with_capacity((width * height * 3) as usize);
-    for line in bytes.chunks_exact(row as usize) {
-        for pixel in line[..width as usize * 4].chunks_exact(4) {
-            pixels.extend_from_slice(&pixel[..3]);
-        }
+    let mut texels = Vec::with_capacity((width * height) as usize);
+    for padded in bytes.chunks_exact(row as usize) {
+        let line = padded[..line as usize].chunks_exact(size_of::<T>());
+        texels.extend(line.map(bytemuck::pod_read_unaligned::<T>));
     }
-    RgbImage::from_raw(width, height, pixels).context("the picture came back with a wrong size")
+    Ok(texels)
 }

@@ -6,6 +6,7 @@ use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT};
 #[derive(Debug)]
 pub(super) struct Targets {
     pub size: [u32; 2],
+    pub samples: u32,
     /// Multisampled where `resolved` is there.
     pub color: wgpu::TextureView,
     pub resolved: Option<wgpu::TextureView>,
@@ -27,6 +28,7 @@ impl Targets {
             texture(device, "sward.stage.picture", size, picture_format, 1, draw | U::COPY_SRC);
         Self {
             size,
+            samples,
             color: view("sward.stage.color", COLOR_FORMAT, samples, color_usage),
             resolved: (samples > 1)
                 .then(|| view("sward.stage.resolved", COLOR_FORMAT, 1, draw | read)),
