@@ -91,6 +91,7 @@ pub mod simulation;
 pub mod solid;
 pub mod species;
 pub mod statistics;
+pub mod technique;
 pub mod view;
 
 #[cfg(test)]
@@ -108,8 +109,9 @@ pub use plants::{Look, Picture, Plant};
 pub use renderer::{Renderer, Stage, Targets};
 pub use simulation::{Frame, Gravity, Light, PhysicsModel, Sphere};
 pub use solid::{PackDesc, Packing, Solid};
-pub use species::{ColorRange, Range, Shape, Species};
+pub use species::{Billboard, ColorRange, Form, Range, Shape, Species, Strip};
 pub use statistics::Statistics;
+pub use technique::Technique;
 pub use view::{Culling, View};
 
 /// The README's program compiles.
