@@ -21,6 +21,7 @@ const WIND: &str = part!("frame/wind/wind.wgsl");
 const PRIMITIVE: &str = part!("frame/collide/primitive.wgsl");
 const NEAR: &str = part!("frame/collide/near.wgsl");
 const CUBOID: &str = part!("frame/collide/cuboid.wgsl");
+const WIND_TEXTURED: &str = part!("frame/wind/textured.wgsl");
 const WIND_PLACED: &str = part!("frame/wind/placed.wgsl");
 const CONTACT: &str = part!("frame/collide/contact.wgsl");
 const COLLIDE: &str = part!("frame/collide/collide.wgsl");
@@ -109,7 +110,7 @@ impl Shader {
         let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, PLANT, OUTLINE, BLADE_POINT, DRAW].as_slice();
         let level = [LEVEL, FORM, CONTINUUM, STRIPS, BANDS];
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
-        let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, PHYSICS, PAPER];
+        let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
         let update = [&motion[..], &level, &[TESTS, DECIDE, UPDATE]].concat();
         let explain = [&[STATE, BAND, VIEW][..], &level, &[TESTS, DECIDE, PATCH, EXPLAIN]].concat();
         let rest: &[&[&str]] = match self {
