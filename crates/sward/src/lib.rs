@@ -76,6 +76,8 @@
 //! and encoding by the host. The strength of wind is relative: 0.4 is a breeze, 1.2 a strong gust,
 //! for turf and reed alike.
 
+#[allow(dead_code)]
+mod bake;
 pub mod collider;
 pub mod color_map;
 pub mod debug;
@@ -101,7 +103,9 @@ pub use color_map::{ColorImage, ColorMap};
 pub use debug::{DebugColor, DebugView, Observer};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
-pub use frame::wind::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindSource};
+pub use frame::wind::{
+    Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindMap, WindSource, WindTexture,
+};
 pub use grow::obstacles::Obstacle;
 pub use grow::surface::{Mesh, Surface};
 pub use plants::{Look, Picture, Plant};
