@@ -104,7 +104,9 @@ pub use color_map::{ColorImage, ColorMap};
 pub use debug::{DebugColor, DebugView, Observer};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
-pub use frame::wind::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindSource};
+pub use frame::wind::{
+    Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindMap, WindSource, WindTexture,
+};
 pub use grow::obstacles::Obstacle;
 pub use grow::surface::{Mesh, Surface};
 pub use plants::{Look, Picture, Plant};
