@@ -86,6 +86,7 @@ pub mod field;
 pub mod frame;
 mod gpu;
 pub mod grow;
+#[allow(dead_code)]
 pub mod plants;
 pub mod renderer;
 pub mod shared;
