@@ -76,6 +76,8 @@
 //! and encoding by the host. The strength of wind is relative: 0.4 is a breeze, 1.2 a strong gust,
 //! for turf and reed alike.
 
+#[allow(dead_code)]
+mod bake;
 pub mod collider;
 pub mod color_map;
 pub mod debug;
@@ -84,12 +86,15 @@ pub mod field;
 pub mod frame;
 mod gpu;
 pub mod grow;
+#[allow(dead_code)]
+pub mod plants;
 pub mod renderer;
 pub mod shared;
 pub mod simulation;
 pub mod solid;
 pub mod species;
 pub mod statistics;
+pub mod technique;
 pub mod view;
 
 #[cfg(test)]
@@ -100,14 +105,18 @@ pub use color_map::{ColorImage, ColorMap};
 pub use debug::{DebugColor, DebugView, Observer};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
-pub use frame::wind::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindSource};
+pub use frame::wind::{
+    Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindMap, WindSource, WindTexture,
+};
 pub use grow::obstacles::Obstacle;
 pub use grow::surface::{Mesh, Surface};
+pub use plants::{Look, Picture, Plant};
 pub use renderer::{Renderer, Stage, Targets};
 pub use simulation::{Frame, Gravity, Light, PhysicsModel, Sphere};
 pub use solid::{PackDesc, Packing, Solid};
-pub use species::{ColorRange, Range, Shape, Species};
+pub use species::{Billboard, ColorRange, Form, Range, Shape, Species, Strip};
 pub use statistics::Statistics;
+pub use technique::Technique;
 pub use view::{Culling, View};
 
 /// The README's program compiles.

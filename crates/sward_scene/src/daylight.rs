@@ -38,12 +38,7 @@ struct SkyColors {
     ambient: Vec3,
 }
 
-const fn colors(
-    sun_deg: f32,
-    zenith: [f32; 3],
-    horizon: [f32; 3],
-    ambient: [f32; 3],
-) -> SkyColors {
+const fn colors(sun_deg: f32, zenith: [f32; 3], horizon: [f32; 3], ambient: [f32; 3]) -> SkyColors {
     SkyColors {
         sun_deg,
         zenith: Vec3::from_array(zenith),
@@ -84,8 +79,7 @@ impl Daylight {
         let (sin_lat, cos_lat) = self.latitude_deg.to_radians().sin_cos();
         // Cooper 1969
         let year_deg: f32 = 360.0 / 365.0 * (284.0 + self.day_of_year);
-        let (sin_decl, cos_decl) =
-            (23.44 * year_deg.to_radians().sin()).to_radians().sin_cos();
+        let (sin_decl, cos_decl) = (23.44 * year_deg.to_radians().sin()).to_radians().sin_cos();
         let east = -cos_decl * sin_hour;
         let north = sin_decl * cos_lat - cos_decl * cos_hour * sin_lat;
         let up = sin_decl * sin_lat + cos_decl * cos_hour * cos_lat;

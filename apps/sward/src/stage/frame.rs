@@ -1,9 +1,10 @@
 //! What every pass round the grass reads: camera, light, settings.
 
-use bytemuck::{Pod, Zeroable};
 use super::StageOptions;
 use super::post::lens;
-use glam::{Mat4, Vec2, Vec3, Vec4};
+use super::reference::Crop;
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec2, Vec4};
 use sward::Light;
 use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, SkySettings};
 use wgpu::util::DeviceExt;
@@ -27,7 +28,7 @@ pub(super) struct GpuStageFrame {
     fog_shape: Vec4,
     lens: Vec4,
     exposure: f32,
-    weight: f32,
+    samples_a_side: f32,
     reserved: Vec2,
 }
 
@@ -51,13 +52,12 @@ pub(super) struct CameraMatrices {
 }
 
 impl CameraMatrices {
-    /// `jitter_px` shifts the picture by parts of a pixel.
-    pub fn new(camera: &Camera, [width, height]: [u32; 2], jitter_px: Vec2) -> Self {
-        let shift = jitter_px * 2.0 / Vec2::new(width as f32, height as f32);
-        let jitter = Mat4::from_translation(Vec3::new(shift.x, shift.y, 0.0));
+    /// `size` is that of the whole picture.
+    pub fn new(camera: &Camera, size: [u32; 2], crop: Crop) -> Self {
+        let [width, height] = size.map(|side| side as f32);
         Self {
             view_from_world: camera.view_from_world(),
-            clip_from_view: jitter * camera.clip_from_view(width as f32 / height as f32),
+            clip_from_view: crop.clip_from_picture(size) * camera.clip_from_view(width / height),
         }
     }
 }
@@ -66,7 +66,7 @@ impl FrameUniform {
     /// Light is all dark until it is set.
     pub fn new(device: &wgpu::Device, options: &StageOptions) -> Self {
         let values =
-            GpuStageFrame { exposure: 1.0, weight: 1.0, ..bytemuck::Zeroable::zeroed() };
+            GpuStageFrame { exposure: 1.0, samples_a_side: 1.0, ..bytemuck::Zeroable::zeroed() };
         let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("sward.stage.frame"),
             contents: bytemuck::bytes_of(&values),
@@ -119,7 +119,7 @@ impl FrameUniform {
     }
 
     /// Takes effect with the next submission.
-    pub fn write(&mut self, queue: &wgpu::Queue, camera: CameraMatrices, weight: f32) {
+    pub fn write(&mut self, queue: &wgpu::Queue, camera: CameraMatrices, samples_a_side: f32) {
         let world_from_view = camera.view_from_world.inverse();
         self.values.clip_from_world = camera.clip_from_view * camera.view_from_world;
         self.values.view_from_clip = camera.clip_from_view.inverse();
@@ -127,7 +127,7 @@ impl FrameUniform {
         self.values.eye = world_from_view.w_axis;
         let focal = camera.clip_from_view.y_axis.y;
         self.values.lens = lens(self.depth_of_field, focal, self.height_px).into();
-        self.values.weight = weight;
+        self.values.samples_a_side = samples_a_side;
         queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(&self.values));
     }
 }
@@ -171,7 +171,7 @@ mod tests {
             fog_shape,
             lens,
             exposure,
-            weight,
+            samples_a_side,
             reserved
         ];
         let theirs: Vec<_> = members

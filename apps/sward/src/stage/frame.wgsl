@@ -26,8 +26,8 @@ struct GpuStageFrame {
     // deviations of the two blurred copies in pixels
     lens: vec4<f32>,
     exposure: f32,
-    // Weight of this picture in the accumulated one
-    weight: f32,
+    // Samples of the target that a side of a pixel has: what is a pixel wide is so many of them
+    samples_a_side: f32,
     reserved: vec2<f32>,
 }
 

@@ -10,12 +10,12 @@ mod meshes;
 mod movers;
 mod opaque;
 mod options;
-mod passes;
 mod post;
 mod readback;
 mod reference;
 mod resume;
 mod shapes;
+mod sky;
 mod targets;
 mod texture;
 
@@ -25,13 +25,13 @@ pub use options::{StageOptions, no_culling};
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
 use anyhow::{Context, Result};
 use frame::{CameraMatrices, FrameUniform};
-use glam::Vec2;
 use image::RgbImage;
 use movers::Movers;
 use opaque::Opaque;
 use options::view;
-use passes::Sky;
 use post::{Drawn, Post};
+use reference::{Crop, Supersampled};
+use sky::Sky;
 use sward::{Field, Frame, Light, Renderer, Statistics, Wind};
 use sward_scene::{Daylight, Scene, SceneWind};
 use targets::Targets;
@@ -57,7 +57,10 @@ pub struct Stage {
     /// At the step before.
     last_time_s: f64,
     warm_up_s: f64,
-    jitter_px: Vec2,
+    /// The part of the picture that is drawn.
+    crop: Crop,
+    /// What a reference is drawn to, once there was one.
+    supersampled: Option<Supersampled>,
     /// Whether the depth target holds the opaque things of this time, and nothing else.
     depth_is_opaque: bool,
 }
@@ -91,10 +94,11 @@ impl Stage {
         let light = options::light(&options, &sun, &sky);
         uniform.set_light(&light, &sky);
         let targets = Targets::new(device, options.size, samples);
+        let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);
         let opaque = Opaque::new(gpu, &uniform, scene, &movers, samples);
         let sky = Sky::new(device, &uniform, samples);
-        let post = Post::new(device, &uniform, &targets, &options);
+        let post = Post::new(device, &uniform, targets.picture.format(), &options);
         let mut stage = Self {
             gpu: gpu.clone(),
             options,
@@ -113,10 +117,11 @@ impl Stage {
             time_s: -warm_up_s,
             last_time_s: -warm_up_s,
             warm_up_s,
-            jitter_px: Vec2::ZERO,
+            crop,
+            supersampled: None,
             depth_is_opaque: false,
         };
-        stage.write_camera(1.0);
+        stage.write_camera();
         stage.gpu.wait()?;
         Ok(stage)
     }
@@ -204,7 +209,7 @@ impl Stage {
             let (sun, sky) = day.at(self.time_s);
             self.light = options::light(&self.options, &sun, &sky);
             self.uniform.set_light(&self.light, &sky);
-            self.write_camera(1.0);
+            self.write_camera();
         }
     }
 
@@ -229,7 +234,7 @@ impl Stage {
     /// # Errors
     /// Where the camera is none.
     pub fn encode_cull(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<()> {
-        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        let view = view(&self.options, self.matrices(), self.crop.size, &self.targets.depth);
         Ok(self.renderer.cull(&self.gpu.device, encoder, &[view])?)
     }
 
@@ -238,13 +243,13 @@ impl Stage {
     /// # Errors
     /// Where the camera is none.
     pub fn encode_prepare(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<()> {
-        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        let view = view(&self.options, self.matrices(), self.crop.size, &self.targets.depth);
         Ok(self.renderer.prepare_view(&self.gpu.device, encoder, 0, &view)?)
     }
 
     /// Records one stage of [`Stage::encode_cull`], so that it can be timed.
     pub fn encode_stage(&self, encoder: &mut wgpu::CommandEncoder, stage: sward::Stage) {
-        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        let view = view(&self.options, self.matrices(), self.crop.size, &self.targets.depth);
         self.renderer.encode_stage(&self.gpu.device, encoder, stage, 0, &view);
     }
 
@@ -310,18 +315,18 @@ impl Stage {
             return;
         }
         self.depth_is_opaque = false;
-        let camera = if culling { self.matrices() } else { self.options.drawn_from() };
-        self.uniform.write(&self.gpu.queue, camera, 1.0);
+        let camera = if culling { self.matrices() } else { self.options.drawn_from(self.crop) };
+        self.uniform.write(&self.gpu.queue, camera, self.crop.side);
     }
 
     /// The camera that blades are culled for.
     fn matrices(&self) -> CameraMatrices {
-        self.options.culled_from(self.jitter_px)
+        self.options.culled_from(self.crop)
     }
 
-    fn write_camera(&mut self, weight: f32) {
+    fn write_camera(&mut self) {
         let camera = self.matrices();
-        self.uniform.write(&self.gpu.queue, camera, weight);
+        self.uniform.write(&self.gpu.queue, camera, self.crop.side);
     }
 
     /// An encoder to record into.

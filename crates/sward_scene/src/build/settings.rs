@@ -3,13 +3,13 @@
 use crate::check::{Key, MAX_M, Problem};
 use crate::schema::{
     CullingFile, DaylightFile, DepthOfFieldFile, FogFile, GravityFile, PhysicsFile, SceneFile,
-    SkyFile, SunFile,
+    SkyFile, SunFile, TechniqueFile,
 };
 use crate::{
     Daylight, DepthOfFieldSettings, FogSettings, GroundSettings, SkySettings, SunSettings,
 };
 use glam::Vec3;
-use sward::{Culling, Gravity, PhysicsModel};
+use sward::{Culling, Gravity, PhysicsModel, Technique};
 
 pub(super) struct Settings {
     pub(super) light: SunSettings,
@@ -19,6 +19,7 @@ pub(super) struct Settings {
     pub(super) depth_of_field: Option<DepthOfFieldSettings>,
     pub(super) gravity: Gravity,
     pub(super) physics: PhysicsModel,
+    pub(super) technique: Technique,
     pub(super) culling: Culling,
     pub(super) ground: GroundSettings,
     pub(super) warm_up_s: f32,
@@ -44,6 +45,12 @@ impl Settings {
             physics: match file.physics {
                 PhysicsFile::Sward => PhysicsModel::Sward,
                 PhysicsFile::Paper => PhysicsModel::Paper,
+            },
+            technique: match file.technique {
+                TechniqueFile::Blades => Technique::Blades,
+                TechniqueFile::Strips => Technique::Strips,
+                TechniqueFile::Billboards => Technique::Billboards,
+                TechniqueFile::Continuum => Technique::Continuum,
             },
             culling: culling(&file.culling)?,
             ground: GroundSettings {

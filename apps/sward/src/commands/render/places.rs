@@ -25,8 +25,9 @@ impl Places {
     /// The box and the eye stay, so that the pictures of a run can be compared.
     pub fn new(scene: &Scene, options: &StageOptions) -> Self {
         let all = scene.objects.iter().flat_map(|object| &object.mesh.positions);
-        let (low, high) = all
-            .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)));
+        let (low, high) = all.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), p| {
+            (low.min(*p), high.max(*p))
+        });
         let species = scene.fields.iter().flat_map(|field| &field.desc.species);
         let tallest = species.map(|species| species.height_m.max).fold(0.0, f32::max);
         Self {
@@ -61,7 +62,9 @@ impl Places {
     pub fn legend(&self, choice: DebugChoice) -> Legend {
         if choice == DebugChoice::Distance {
             let bar = |place: f32| by_share(place * place);
-            return Legend::new("distance from the eye, m").entry(SKY, "sky").bar(bar, self.ticks());
+            return Legend::new("distance from the eye, m")
+                .entry(SKY, "sky")
+                .bar(bar, self.ticks());
         }
         let range = |i: usize, axis| format!("{axis}: {} to {} m", self.least[i], self.most[i]);
         Legend::new("position")
@@ -104,8 +107,11 @@ fn by_share(share: f32) -> Color {
 mod tests {
     use super::*;
 
-    const PLACES: Places =
-        Places { eye: Vec3::ZERO, least: Vec3::new(-2.0, 0.0, -4.0), most: Vec3::new(2.0, 1.0, 0.0) };
+    const PLACES: Places = Places {
+        eye: Vec3::ZERO,
+        least: Vec3::new(-2.0, 0.0, -4.0),
+        most: Vec3::new(2.0, 1.0, 0.0),
+    };
 
     #[test]
     fn colours_are_shares_of_the_box() {
@@ -123,7 +129,10 @@ mod tests {
         let farthest = PLACES.farthest();
         assert!((farthest - 21_f32.sqrt()).abs() < 1e-6);
         let bar = PLACES.legend(DebugChoice::Distance).bar.unwrap();
-        assert_eq!(bar.ticks.iter().map(|t| t.1.as_str()).collect::<Vec<_>>(), ["2", "1", "0.2", "0"]);
+        assert_eq!(
+            bar.ticks.iter().map(|t| t.1.as_str()).collect::<Vec<_>>(),
+            ["2", "1", "0.2", "0"]
+        );
         for (place, label) in &bar.ticks {
             let at = Vec3::NEG_Z * label.parse::<f32>().unwrap();
             let (shown, told) = (PLACES.color(DebugChoice::Distance, at), (bar.color)(*place));

@@ -19,7 +19,7 @@ pub(super) use position::Position;
 use super::StageOptions;
 use super::frame::FrameUniform;
 use super::fullscreen::{Fullscreen, FullscreenDesc, Input};
-use super::targets::{Targets, texture};
+use super::targets::texture;
 use crate::gpu::COLOR_FORMAT;
 use depth_of_field::DepthOfField;
 
@@ -53,25 +53,32 @@ impl Post {
     pub fn new(
         device: &wgpu::Device,
         frame: &FrameUniform,
-        targets: &Targets,
+        picture: wgpu::TextureFormat,
         options: &StageOptions,
     ) -> Self {
+        let size = options.size;
+        let samples = if options.reference { 1 } else { options.samples };
         let (fog, lens) = (options.fog.is_some(), options.depth_of_field.is_some());
         let tone_map = FullscreenDesc {
             name: "tone_map",
             source: include_str!("tone_map.wgsl"),
-            formats: &[targets.picture.format()],
+            formats: &[picture],
             samples: 1,
             inputs: &[Input::Color],
             constants: &[],
             background: false,
         };
         Self {
-            position: (fog || lens).then(|| Position::new(device, frame, targets)),
-            fogged: fog.then(|| fogged(device, frame, targets.size)),
-            depth_of_field: lens.then(|| DepthOfField::new(device, frame, targets.size)),
+            position: (fog || lens).then(|| Position::new(device, frame, size, samples)),
+            fogged: fog.then(|| fogged(device, frame, size)),
+            depth_of_field: lens.then(|| DepthOfField::new(device, frame, size)),
             tone_map: Fullscreen::new(device, &frame.layout, &tone_map),
         }
+    }
+
+    /// Whether any pass reads positions.
+    pub fn needs_positions(&self) -> bool {
+        self.position.is_some()
     }
 
     /// Makes the positions that the passes need; none where none does.

@@ -2,7 +2,7 @@
 
 use super::super::frame::FrameUniform;
 use super::super::fullscreen::{Fullscreen, FullscreenDesc, Input};
-use super::super::targets::{Targets, texture};
+use super::super::targets::texture;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
@@ -16,9 +16,10 @@ pub(in crate::stage) struct Position {
 }
 
 impl Position {
-    /// For a depth of the targets' size and samples.
-    pub fn new(device: &wgpu::Device, frame: &FrameUniform, targets: &Targets) -> Self {
-        let multisampled = targets.samples > 1;
+    /// For a picture of `size`, and a depth of so many samples, or one so much larger as the frame
+    /// says.
+    pub fn new(device: &wgpu::Device, frame: &FrameUniform, size: [u32; 2], samples: u32) -> Self {
+        let multisampled = samples > 1;
         let source = match multisampled {
             true => concat!(
                 include_str!("depth_multisampled.wgsl"),
@@ -37,12 +38,12 @@ impl Position {
             formats: &[FORMAT],
             samples: 1,
             inputs: &[Input::Depth { multisampled }],
-            constants: &[("SAMPLES", f64::from(targets.samples))],
+            constants: &[("SAMPLES", f64::from(samples))],
             background: false,
         };
         use wgpu::TextureUsages as U;
         let usage = U::RENDER_ATTACHMENT | U::TEXTURE_BINDING | U::COPY_SRC;
-        let target = texture(device, "sward.stage.position", targets.size, FORMAT, 1, usage);
+        let target = texture(device, "sward.stage.position", size, FORMAT, 1, usage);
         Self {
             pass: Fullscreen::new(device, &frame.layout, &desc),
             view: target.create_view(&Default::default()),

@@ -17,11 +17,15 @@ fn world_at(ndc: vec2<f32>, depth: f32) -> vec3<f32> {
 
 @fragment
 fn position(in: Fullscreen) -> @location(0) vec4<f32> {
-    let pixel = vec2<i32>(in.position.xy);
+    // A reference's depth has many texels a pixel
+    let side = u32(frame.samples_a_side);
+    let first = vec2<i32>(in.position.xy) * i32(side);
+    let count = side * side * SAMPLES;
     var nearest = 1.0;
     var clear = 0.0;
-    for (var i = 0u; i < SAMPLES; i++) {
-        let depth = depth_at(pixel, i);
+    for (var i = 0u; i < count; i++) {
+        let texel = i / SAMPLES;
+        let depth = depth_at(first + vec2<i32>(vec2(texel % side, texel / side)), i % SAMPLES);
         nearest = min(nearest, depth);
         if depth < 1.0 {
             clear += fog_clear(world_at(in.ndc, depth));
@@ -30,5 +34,5 @@ fn position(in: Fullscreen) -> @location(0) vec4<f32> {
             clear += 1.0;
         }
     }
-    return vec4(world_at(in.ndc, nearest), clear / f32(SAMPLES));
+    return vec4(world_at(in.ndc, nearest), clear / f32(count));
 }

@@ -5,9 +5,10 @@ use super::twin::{self, Fog};
 use super::{Position, fogged};
 use crate::gpu::Gpu;
 use crate::stage::frame::{CameraMatrices, FrameUniform};
+use crate::stage::reference::Crop;
 use crate::stage::targets::Targets;
 use crate::stage::{StageOptions, readback};
-use glam::{DMat4, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DMat4, DVec3, DVec4, Vec3, Vec4};
 use std::path::Path;
 use sward::Light;
 use wgpu::util::{DeviceExt, TextureDataOrder};
@@ -31,7 +32,7 @@ impl Rig {
         let options = StageOptions::new(&scene, None, size, samples).unwrap();
         let mut frame = FrameUniform::new(&gpu.device, &options);
         frame.set_light(&Light::default(), &scene.sky);
-        let camera = CameraMatrices::new(&options.camera, size, Vec2::ZERO);
+        let camera = CameraMatrices::new(&options.camera, size, Crop::whole(size));
         frame.write(&gpu.queue, camera, 1.0);
         Self { gpu, frame, options, camera }
     }
@@ -40,7 +41,7 @@ impl Rig {
     fn positions(&self, depth: f32) -> Vec<Vec4> {
         let device = &self.gpu.device;
         let targets = Targets::new(device, self.options.size, self.options.samples);
-        let position = Position::new(device, &self.frame, &targets);
+        let position = Position::new(device, &self.frame, self.options.size, self.options.samples);
         let mut encoder = device.create_command_encoder(&Default::default());
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
@@ -55,7 +56,7 @@ impl Rig {
         });
         position.run(device, &mut encoder, &self.frame, &targets.depth);
         self.gpu.queue.submit([encoder.finish()]);
-        readback::read_texels(&self.gpu, position.target()).unwrap()
+        readback::floats(&self.gpu, position.target()).unwrap()
     }
 
     fn texture(&self, texels: &[Vec4]) -> wgpu::TextureView {
@@ -91,8 +92,8 @@ impl Rig {
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         let filled = pass(&mut encoder, [&inputs[0], &inputs[1]]);
         self.gpu.queue.submit([encoder.finish()]);
-        let halves = readback::read_texels::<[u16; 4]>(&self.gpu, &filled).unwrap();
-        halves.into_iter().map(|texel| half(texel[0])).collect()
+        let bytes = readback::bytes(&self.gpu, &filled, 8).unwrap();
+        bytes.chunks_exact(8).map(|texel| half(u16::from_le_bytes([texel[0], texel[1]]))).collect()
     }
 
     fn through_lens(&self, pixel: impl Fn(u32, u32) -> (f32, Vec4)) -> Vec<f32> {
@@ -114,7 +115,11 @@ impl Rig {
 fn half(bits: u16) -> f32 {
     let exponent = i32::from(bits >> 10 & 31) - 15;
     let fraction = f32::from(bits & 1023) / 1024.0;
-    if exponent == -15 { fraction * 2_f32.powi(-14) } else { (1.0 + fraction) * 2_f32.powi(exponent) }
+    if exponent == -15 {
+        fraction * 2_f32.powi(-14)
+    } else {
+        (1.0 + fraction) * 2_f32.powi(exponent)
+    }
 }
 
 const FOGS: [(&str, Fog); 3] = [
