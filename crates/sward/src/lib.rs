@@ -110,7 +110,7 @@ pub use grow::obstacles::Obstacle;
 pub use grow::surface::{Mesh, Surface};
 pub use plants::{Look, Picture, Plant};
 pub use renderer::{Renderer, Stage, Targets};
-pub use simulation::{Frame, Gravity, Light, PhysicsModel, Sphere};
+pub use simulation::{Frame, Gravity, Light, PhysicsModel, Shade, Sphere};
 pub use solid::{PackDesc, Packing, Solid};
 pub use species::{ColorRange, Range, Shape, Species};
 pub use statistics::Statistics;

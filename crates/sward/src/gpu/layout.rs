@@ -61,6 +61,7 @@ pub struct GpuFrame {
     pub sky: [f32; 4],
     pub ground: [f32; 4],
     pub haze: [f32; 4],
+    pub shade: [f32; 4],
     pub dt_s: f32,
     pub gravity_blend: f32,
     pub crush_decay: f32,
@@ -71,8 +72,8 @@ pub struct GpuFrame {
     pub ticks: u32,
     pub resting_chunks: u32,
     pub keep_resting: u32,
-    pub reserved_a: u32,
-    pub reserved_b: u32,
+    pub shade_x: f32,
+    pub shade_y: f32,
 }
 
 /// `GpuField` of field.wgsl.

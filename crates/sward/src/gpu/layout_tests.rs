@@ -36,6 +36,7 @@ fn structs() -> Vec<Expected> {
             sky,
             ground,
             haze,
+            shade,
             dt_s,
             gravity_blend,
             crush_decay,
@@ -46,8 +47,8 @@ fn structs() -> Vec<Expected> {
             ticks,
             resting_chunks,
             keep_resting,
-            reserved_a,
-            reserved_b,
+            shade_x,
+            shade_y,
         }),
         expected!(GpuPrimitive { a, b }),
         expected!(GpuWindSource {

@@ -38,6 +38,8 @@ const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
 const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
+const SHADE: &str = part!("frame/light/shade.wgsl");
+const SUNLIGHT: &str = part!("frame/light/sunlight.wgsl");
 const OUTLINE: &str = part!("frame/draw/outline.wgsl");
 const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
@@ -102,7 +104,7 @@ impl Shader {
     }
 
     fn parts(self) -> Vec<&'static str> {
-        let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW].as_slice();
+        let draw = [STATE, DRAWS, VIEW, LEVEL, SHADE, SUNLIGHT, LIGHT, OUTLINE, BLADE_POINT, DRAW].as_slice();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let update = [
             STATE,
