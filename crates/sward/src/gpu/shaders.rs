@@ -31,6 +31,10 @@ const TESTS: &str = part!("frame/cull/tests.wgsl");
 const PATCH: &str = part!("frame/cull/patch.wgsl");
 const CULL: &str = part!("frame/cull/cull.wgsl");
 const LEVEL: &str = part!("frame/level/level.wgsl");
+const FORM: &str = part!("frame/level/form.wgsl");
+const CONTINUUM: &str = part!("frame/level/continuum.wgsl");
+const STRIPS: &str = part!("frame/level/strips.wgsl");
+const BANDS: &str = part!("frame/level/bands.wgsl");
 const DECIDE: &str = part!("frame/update/decide.wgsl");
 const EXPLAIN: &str = part!("frame/debug/explain.wgsl");
 const DEBUG: &str = part!("frame/debug/debug.wgsl");
@@ -40,6 +44,10 @@ const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
 const SHADE: &str = part!("frame/light/shade.wgsl");
 const SUNLIGHT: &str = part!("frame/light/sunlight.wgsl");
+const PLANT: &str = part!("frame/draw/plant.wgsl");
+const PICTURES: &str = part!("frame/draw/pictures.wgsl");
+const QUADS: &str = part!("frame/draw/quads.wgsl");
+const BILLBOARD: &str = part!("frame/draw/billboard.wgsl");
 const OUTLINE: &str = part!("frame/draw/outline.wgsl");
 const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
@@ -65,6 +73,8 @@ pub enum Shader {
     Draw,
     /// Blades with lobes.
     DrawLobed,
+    /// Plants as quads.
+    DrawBillboard,
     /// Why each blade is drawn or not, reading a single-sampled depth.
     Explain,
     /// The same, reading a multisampled depth.
@@ -75,7 +85,7 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -84,6 +94,7 @@ impl Shader {
         Self::Compact,
         Self::Draw,
         Self::DrawLobed,
+        Self::DrawBillboard,
         Self::Explain,
         Self::ExplainMultisampled,
         Self::DrawDebug,
@@ -97,42 +108,36 @@ impl Shader {
             Self::Update | Self::UpdateMultisampled => "sward.update",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
-            Self::Draw | Self::DrawLobed => "sward.draw",
+            Self::Draw | Self::DrawLobed | Self::DrawBillboard => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
             Self::DrawDebug => "sward.debug",
         }
     }
 
     fn parts(self) -> Vec<&'static str> {
-        let draw = [STATE, DRAWS, VIEW, LEVEL, SHADE, SUNLIGHT, LIGHT, OUTLINE, BLADE_POINT, DRAW].as_slice();
+        let light = [SHADE, SUNLIGHT, LIGHT];
+        let blade = [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
+        let draw = blade.concat();
+        let level = [LEVEL, FORM, CONTINUUM, STRIPS, BANDS];
+        let plant = [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
+        let plant = plant.concat();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
-        let update = [
-            STATE,
-            BAND,
-            VIEW,
-            LEVEL,
-            WIND,
-            WIND_PLACED,
-            WIND_TEXTURED,
-            PHYSICS,
-            PAPER,
-            TESTS,
-            DECIDE,
-            UPDATE,
-        ];
-        let explain = [STATE, BAND, VIEW, LEVEL, TESTS, DECIDE, PATCH, EXPLAIN];
+        let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
+        let update = [&motion[..], &level, &[TESTS, DECIDE, UPDATE]].concat();
+        let explain = [&[STATE, BAND, VIEW][..], &level, &[TESTS, DECIDE, PATCH, EXPLAIN]].concat();
         let rest: &[&[&str]] = match self {
             Self::Collide => &[&[PRIMITIVE, COLLIDE]],
-            Self::Cull => &[&[BAND, VIEW, LEVEL, PATCH, CULL]],
+            Self::Cull => &[&[BAND, VIEW], &level, &[PATCH, CULL]],
             Self::Update => &[&[DEPTH_SINGLE], &collide, &update],
             Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &collide, &update],
             Self::Scan => &[&[BAND, DRAWS, VIEW, SCAN]],
             Self::Compact => &[&[BAND, VIEW, COMPACT]],
-            Self::Draw => &[draw],
-            Self::DrawLobed => &[draw, &[LOBES, LOBED]],
+            Self::Draw => &[&draw],
+            Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
+            Self::DrawBillboard => &[&plant, &[QUADS, BILLBOARD]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
-            Self::DrawDebug => &[draw, &[LOBES, LOBED, DEBUG]],
+            Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG]],
         };
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
         [&field[..], &rest.concat()].concat()

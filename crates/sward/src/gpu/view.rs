@@ -9,6 +9,9 @@ use glam::{Mat4, Vec3, Vec4};
 /// Survivors are widened to this many pixels at detail 1.
 pub const LEAST_WIDTH_PX: f32 = 1.4;
 
+/// Width of a blade, pixels at detail 1, where blades begin to turn into clusters, and where all have.
+pub const CLUSTER_WIDTH_PX: [f32; 2] = [1.0, 0.35];
+
 pub const FRUSTUM: u32 = 1;
 pub const DISTANCE: u32 = 2;
 pub const ORIENTATION: u32 = 4;
@@ -88,6 +91,7 @@ pub fn check_view(view: &View) -> Result<(), Error> {
     if !above_zero(view.detail) || !above_zero(view.culling.max_distance_m) {
         return Err(Error::setting("view", "detail and max_distance_m must be above 0"));
     }
+    view.bands.check()?;
     if let Some(level) = view.level
         && usize::from(level) >= SEGMENTS.len()
     {
@@ -113,6 +117,7 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
     let focal = (clip.y_axis.y.abs() * view.size[1] as f32 * 0.5)
         .max(clip.x_axis.x.abs() * view.size[0] as f32 * 0.5);
     let eye: Vec3 = world_from_view.w_axis.truncate();
+    let bands = view.bands;
     let detail = view.detail.clamp(1e-3, 1e6);
     GpuView {
         clip_from_world: clip_from_world.to_cols_array_2d(),
@@ -128,6 +133,11 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
         flags: flags(view),
         capacity,
         level_height: level_height(view.level),
-        reserved: [0.0; 2],
+        cluster_width: CLUSTER_WIDTH_PX.map(|px| px / detail),
+        technique: view.technique as u32,
+        far_share: view.bands.far_share,
+        far_size: view.bands.far_size,
+        reserved: 0,
+        bands: [bands.near_m, bands.middle_m, bands.far_m.min(1e30), bands.jitter],
     }
 }

@@ -27,6 +27,15 @@ fn band_morph(distance: f32, stretch: f32) -> f32 {
     return smooth_share((distance - start) / (end - start));
 }
 
+fn is_modelled(species: u32) -> bool {
+    return (species_table[species].look.w & 0x100u) != 0u;
+}
+
+// As `Size.keep`, of a plant so wide.
+fn plant_keep(width: f32, distance: f32) -> f32 {
+    return keep_share(width * pixels_per_metre(distance));
+}
+
 // Share of the plants that are kept, beyond 1 where none has begun to go.
 fn band_keep(distance: f32, stretch: f32, keep: f32) -> f32 {
     let end = view.bands.y * stretch;
@@ -49,7 +58,7 @@ fn choose_plant(blade: Blade, size: Size, place: Place) -> Choice {
     choice.widened = widening(share);
     choice.margin = 0.5 * blade.width * choice.widened;
     choice.single = false;
-    choice.bucket = BILLBOARD_BUCKET + u32(choice.morph >= 1.0);
+    choice.bucket = select(BILLBOARD_BUCKET, FAR_BILLBOARD_BUCKET, choice.morph >= 1.0);
     if size.distance < view.bands.x * stretch && is_modelled(blade.species) {
         choice.bucket = MODEL_BUCKET;
         choice.morph = smooth_share(size.distance / (view.bands.x * stretch) * 2.0 - 1.0);
