@@ -68,8 +68,7 @@ impl Sizes {
     }
 
     fn check(self, path: &str) -> Result<(), Error> {
-        for (name, share) in
-            [("small", self.small), ("medium", self.medium), ("large", self.large)]
+        for (name, share) in [("small", self.small), ("medium", self.medium), ("large", self.large)]
         {
             within(&format!("{path}.{name}"), share, 0.0, 1e6)?;
         }

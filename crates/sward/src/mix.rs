@@ -70,7 +70,8 @@ impl Mix {
             return Ok(self.kinds.iter().map(share).collect());
         };
         within("garden", garden, 0.0, 1.0)?;
-        for (wanted, sum, what) in [(1.0 - garden, grass, "grasses"), (garden, flowers, "flowers")] {
+        for (wanted, sum, what) in [(1.0 - garden, grass, "grasses"), (garden, flowers, "flowers")]
+        {
             if wanted > 0.0 && sum == 0.0 {
                 let cause = format!("{garden} asks for {what}, but none has a probability");
                 return Err(Error::setting("garden", cause));

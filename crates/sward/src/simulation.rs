@@ -1,9 +1,9 @@
 //! What one step of the simulation needs: time, wind, colliders, gravity, light.
 
 use crate::error::within;
+use crate::frame::wind::Wind;
 use crate::shared::noise_twin::NOISE_PERIOD;
 use crate::{Collider, Error};
-use crate::frame::wind::Wind;
 use glam::{DVec2, Vec3};
 
 /// A sphere.

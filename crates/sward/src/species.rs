@@ -1,7 +1,7 @@
 //! Species: what one kind of plant is.
 
-use crate::{Billboard, Error};
 use crate::error::{above_zero, within};
+use crate::{Billboard, Error};
 
 /// Longest and widest blade, metres.
 const LARGEST_M: f32 = 1000.0;

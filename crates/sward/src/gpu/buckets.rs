@@ -1,8 +1,6 @@
 //! Which draw lists the plants of a page may be in.
 
-use super::layout::{
-    BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET,
-};
+use super::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET};
 use super::quantize::has_flat_tip;
 use crate::{Form, Species, Technique};
 

@@ -116,10 +116,12 @@ impl Shader {
 
     fn parts(self) -> Vec<&'static str> {
         let light = [SHADE, SUNLIGHT, LIGHT];
-        let blade = [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
+        let blade =
+            [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
         let draw = blade.concat();
         let level = [LEVEL, FORM, CONTINUUM, STRIPS, BANDS];
-        let plant = [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
+        let plant =
+            [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
         let plant = plant.concat();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];

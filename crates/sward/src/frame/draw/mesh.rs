@@ -35,7 +35,8 @@ impl Mesh {
             let first = 2 * (quad * rows + piece);
             Self::card().indices.into_iter().map(move |i| first + i)
         };
-        let indices = (0..quads as u16).flat_map(|q| (0..pieces as u16).flat_map(move |p| piece(q, p)));
+        let indices =
+            (0..quads as u16).flat_map(|q| (0..pieces as u16).flat_map(move |p| piece(q, p)));
         Self { vertices: 2 * quads * u32::from(rows), indices: indices.collect() }
     }
 

@@ -136,7 +136,13 @@ fn blade_pipeline(
     // The plain module knows no samples
     constants.retain(|(name, _)| *name != "SAMPLES" || lobed);
     let module = &modules.get(device, shader);
-    pipeline(device, layout, targets, Program { module, vertex, fragment, masked: false }, &constants)
+    pipeline(
+        device,
+        layout,
+        targets,
+        Program { module, vertex, fragment, masked: false },
+        &constants,
+    )
 }
 
 /// Plants of quads: cut by alpha, with several samples a pixel by how many of them it covers.
