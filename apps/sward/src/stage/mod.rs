@@ -90,8 +90,8 @@ impl Stage {
         }
         let mut uniform = FrameUniform::new(device, &options);
         let warm_up_s = f64::from(scene.warm_up_s);
-        let (sun, sky) = scene.light_at(-warm_up_s);
-        let light = options::light(&options, &sun, &sky);
+        let (sun, sky) = scene.sun_and_sky_at(-warm_up_s);
+        let light = Light { shade: scene.light().shade, ..options::light(&options, &sun, &sky) };
         uniform.set_light(&light, &sky);
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
@@ -207,7 +207,8 @@ impl Stage {
         self.movers.advance(self.time_s);
         if let Some(day) = self.daylight {
             let (sun, sky) = day.at(self.time_s);
-            self.light = options::light(&self.options, &sun, &sky);
+            let shade = self.light.shade;
+            self.light = Light { shade, ..options::light(&self.options, &sun, &sky) };
             self.uniform.set_light(&self.light, &sky);
             self.write_camera();
         }

@@ -75,7 +75,7 @@ impl StageOptions {
     }
 }
 
-/// The light, without the haze where the options leave it out.
+/// The light of sun and sky, without the haze where the options leave it out.
 pub(super) fn light(options: &StageOptions, sun: &SunSettings, sky: &SkySettings) -> Light {
     let light = sward_scene::light(sun, sky);
     Light { haze_per_m: if options.haze { light.haze_per_m } else { 0.0 }, ..light }
