@@ -5,7 +5,7 @@ use super::post::lens;
 use super::reference::Crop;
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec4};
-use sward::Light;
+use sward::{Light, Shade};
 use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, SkySettings};
 use wgpu::util::DeviceExt;
 
@@ -30,6 +30,9 @@ pub(super) struct GpuStageFrame {
     exposure: f32,
     samples_a_side: f32,
     reserved: Vec2,
+    shade: Vec4,
+    shade_offset: Vec2,
+    reserved_more: Vec2,
 }
 
 /// The frame's uniform buffer and its bind group, group 0 of every pass of the stage.
@@ -118,6 +121,13 @@ impl FrameUniform {
         }
     }
 
+    /// What moves between the ground and the sun; written with the camera.
+    pub fn set_shade(&mut self, shade: &Shade) {
+        let (pattern, offset) = shade.pattern();
+        self.values.shade = Vec4::from(pattern);
+        self.values.shade_offset = Vec2::from(offset);
+    }
+
     /// Takes effect with the next submission.
     pub fn write(&mut self, queue: &wgpu::Queue, camera: CameraMatrices, samples_a_side: f32) {
         let world_from_view = camera.view_from_world.inverse();
@@ -172,7 +182,10 @@ mod tests {
             lens,
             exposure,
             samples_a_side,
-            reserved
+            reserved,
+            shade,
+            shade_offset,
+            reserved_more
         ];
         let theirs: Vec<_> = members
             .iter()

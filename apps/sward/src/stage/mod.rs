@@ -33,7 +33,7 @@ use post::{Drawn, Post};
 use reference::{Crop, Supersampled};
 use sky::Sky;
 use sward::{Field, Frame, Light, Renderer, Statistics, Wind};
-use sward_scene::{Daylight, Scene, SceneWind};
+use sward_scene::{Daylight, Scene, SceneWind, ShadeSettings};
 use targets::Targets;
 
 /// A scene with its grass, ready to be stepped and drawn.
@@ -51,6 +51,7 @@ pub struct Stage {
     wind_paths: Vec<SceneWind>,
     light: Light,
     daylight: Option<Daylight>,
+    shade: Option<ShadeSettings>,
     gravity: sward::Gravity,
     movers: Movers,
     time_s: f64,
@@ -112,6 +113,7 @@ impl Stage {
             wind_paths: scene.wind.clone(),
             light,
             daylight: scene.daylight.filter(|day| day.hours_per_s != 0.0),
+            shade: scene.shade,
             gravity: scene.gravity,
             movers,
             time_s: -warm_up_s,
@@ -205,13 +207,25 @@ impl Stage {
         self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(self.time_s)).collect();
         self.wind.advance(dt_s);
         self.movers.advance(self.time_s);
-        if let Some(day) = self.daylight {
+        self.move_light();
+    }
+
+    /// Moves the sun, and what is between it and the field.
+    fn move_light(&mut self) {
+        if self.daylight.is_none() && self.shade.is_none() {
+            return;
+        }
+        if let Some(day) = &self.daylight {
             let (sun, sky) = day.at(self.time_s);
             let shade = self.light.shade;
             self.light = Light { shade, ..options::light(&self.options, &sun, &sky) };
             self.uniform.set_light(&self.light, &sky);
-            self.write_camera();
         }
+        if let Some(shade) = &self.shade {
+            self.light.shade = shade.at(self.time_s);
+            self.uniform.set_shade(&self.light.shade);
+        }
+        self.write_camera();
     }
 
     /// Records the depth of the opaque things, unless it is there already.
