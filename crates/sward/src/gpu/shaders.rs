@@ -48,6 +48,7 @@ const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
 const BLADE_POINT: &str = part!("frame/draw/blade_point.wgsl");
 const DRAW: &str = part!("frame/draw/draw.wgsl");
+const MODEL: &str = part!("frame/draw/model.wgsl");
 
 /// One shader module of the library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,6 +69,8 @@ pub enum Shader {
     Draw,
     /// Blades with lobes.
     DrawLobed,
+    /// Modelled plants.
+    DrawModel,
     /// Why each blade is drawn or not, reading a single-sampled depth.
     Explain,
     /// The same, reading a multisampled depth.
@@ -78,7 +81,7 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -87,6 +90,7 @@ impl Shader {
         Self::Compact,
         Self::Draw,
         Self::DrawLobed,
+        Self::DrawModel,
         Self::Explain,
         Self::ExplainMultisampled,
         Self::DrawDebug,
@@ -100,7 +104,7 @@ impl Shader {
             Self::Update | Self::UpdateMultisampled => "sward.update",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
-            Self::Draw | Self::DrawLobed => "sward.draw",
+            Self::Draw | Self::DrawLobed | Self::DrawModel => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
             Self::DrawDebug => "sward.debug",
         }
@@ -122,6 +126,7 @@ impl Shader {
             Self::Compact => &[&[BAND, VIEW, COMPACT]],
             Self::Draw => &[draw],
             Self::DrawLobed => &[draw, &[LOBES, LOBED]],
+            Self::DrawModel => &[draw, &[MODEL]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
             Self::DrawDebug => &[draw, &[LOBES, LOBED, DEBUG]],
