@@ -160,7 +160,15 @@ impl Renderer {
         for first in (0..patch_count).step_by(patches_a_page.max(1)) {
             let range = first..(first + patches_a_page).min(patch_count);
             let ticks = self.clock.ticks();
-            let page = Page::new(device, &self.layouts, (field, &pictures), &species, range, self.model, ticks);
+            let page = Page::new(
+                device,
+                &self.layouts,
+                (field, &pictures),
+                &species,
+                range,
+                self.model,
+                ticks,
+            );
             self.pages.push(page);
         }
         self.inputs.forget_lists();

@@ -3,6 +3,7 @@
 mod colors;
 mod fields;
 mod inside;
+mod looks;
 mod settings;
 mod views;
 mod wind;

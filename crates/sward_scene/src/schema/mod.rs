@@ -7,6 +7,7 @@ mod bodies;
 mod collide;
 mod field;
 mod light;
+mod look;
 mod motion;
 mod object;
 mod source;
@@ -22,6 +23,7 @@ pub use field::{
 pub use light::{
     CullingFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile, TechniqueFile,
 };
+pub use look::{LookFile, PictureFile};
 pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
 pub use source::{

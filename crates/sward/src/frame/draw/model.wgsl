@@ -1,9 +1,6 @@
 // Modelled plants: the near form of plants of quads. A point of a ribbon a vertex, from a table, bent
 // along the plant's curve; lit at each pixel as blades are.
 
-// Points a plant: 64 ribbons of 5 rings
-override MODEL_POINTS: u32 = 640u;
-
 // A row a variant of a kind; plants/mesh.rs has every bit
 @group(1) @binding(13) var plant_models: texture_2d<u32>;
 
@@ -82,7 +79,7 @@ fn vs_model(
     let kind = (blades[listed.index].y >> 16u) & 0xffu;
     let look = species_table[kind].look;
     let id = field.first_id + listed.index;
-    let texel = vec2<u32>(vertex % MODEL_POINTS, model_row(look, id));
+    let texel = vec2<u32>(vertex % VERTICES, model_row(look, id));
     let bits = textureLoad(plant_models, texel, 0);
     // Rows are filled up with zeros, which no direction is
     if all(bits == vec4<u32>(0u)) {
