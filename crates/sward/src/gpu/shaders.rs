@@ -53,6 +53,7 @@ const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
 const BLADE_POINT: &str = part!("frame/draw/blade_point.wgsl");
 const DRAW: &str = part!("frame/draw/draw.wgsl");
+const LOOK: &str = part!("frame/draw/look.wgsl");
 const MODEL: &str = part!("frame/draw/model.wgsl");
 
 /// One shader module of the library.
@@ -140,8 +141,8 @@ impl Shader {
             Self::Compact => &[&[BAND, VIEW, COMPACT]],
             Self::Draw => &[&draw],
             Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
-            Self::DrawBillboard => &[&plant, &[QUADS, BILLBOARD]],
-            Self::DrawModel => &[&draw, &[MODEL]],
+            Self::DrawBillboard => &[&plant, &[LOOK, QUADS, BILLBOARD]],
+            Self::DrawModel => &[&plant, &[LOOK, MODEL]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
             Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG]],
