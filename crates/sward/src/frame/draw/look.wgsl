@@ -22,6 +22,23 @@ fn quad_layer(look: vec4<u32>, id: u32, quad: u32) -> u32 {
     return look.y + variant_of(look, id) * PICTURE_VIEWS + quad % PICTURE_VIEWS;
 }
 
+// Where the plant's middle line is at a share of its height, in heights, and which way it runs there.
+struct Spine {
+    center: vec3<f32>,
+    along: vec3<f32>,
+}
+
+fn spine_at(blade: Blade, tip: vec3<f32>, share: f32) -> Spine {
+    let knee = middle_point(tip, blade.up, blade.arch);
+    // Upright, the curve is at 2v - v v of its height
+    let v = 1.0 - sqrt(clamp(1.0 - share, 0.0, 1.0));
+    let a = knee * v;
+    let b = mix(knee, tip, v);
+    let along = unit_or(b - a, blade.up);
+    // What lies under the root goes straight down
+    return Spine(mix(a, b, v) + along * min(share, 0.0), along);
+}
+
 // How light a plant is, beside its kind: each a little otherwise, and lighter as wind bends it.
 fn plant_tone(id: u32, lean: f32, wind_tint: f32) -> f32 {
     return (0.85 + 0.3 * hash01(id, 22u)) * (1.0 + wind_tint * (lean - 0.1));

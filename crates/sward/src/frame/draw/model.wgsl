@@ -29,8 +29,8 @@ fn unpack_model_point(bits: vec4<u32>) -> ModelPoint {
         oct_decode(unpack2x16snorm(bits.w)),
         select(0.0, z_half.y, is_round),
         unpack_color(bits.z & 0x3fffffffu),
-        // Stems let nothing through; of the others the thickness stands in place of the width
-        select(1.0 - 2.0 / (1.0 + z_half.y * THICKNESS_RANGE), 1.0, is_round),
+        // Round ones are as thick as a blade; of the others the thickness stands for the width
+        select(1.0 - 2.0 / (1.0 + z_half.y * THICKNESS_RANGE), 0.0, is_round),
     );
 }
 
@@ -44,23 +44,6 @@ struct ModelVertex {
     @location(4) @interpolate(flat) up: vec3<f32>,
     // Light at the roots, lean, what the ribbon blocks
     @location(5) @interpolate(flat) looks: vec3<f32>,
-}
-
-// Where the plant's middle line is at a share of its height, in heights, and which way it runs there.
-struct Spine {
-    center: vec3<f32>,
-    along: vec3<f32>,
-}
-
-fn spine_at(blade: Blade, tip: vec3<f32>, share: f32) -> Spine {
-    let knee = middle_point(tip, blade.up, blade.arch);
-    // Upright, the curve is at 2v - v v of its height
-    let v = 1.0 - sqrt(clamp(1.0 - share, 0.0, 1.0));
-    let a = knee * v;
-    let b = mix(knee, tip, v);
-    let along = unit_or(b - a, blade.up);
-    // What lies under the root goes straight down
-    return Spine(mix(a, b, v) + along * min(share, 0.0), along);
 }
 
 // A direction of the plant's own axes, turned about up, then by the shortest turn from up to along.

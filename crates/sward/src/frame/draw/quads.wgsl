@@ -43,12 +43,10 @@ fn quad_point(
     u: f32,
     v: f32,
 ) -> QuadPoint {
-    let knee = middle_point(tip, blade.up, blade.arch);
-    let a = knee * v;
-    let b = mix(knee, tip, v);
+    let spine = spine_at(blade, tip, v);
     var point: QuadPoint;
-    point.center = blade.root + mix(a, b, v) * size.y;
-    point.along = unit_or(b - a, blade.up);
+    point.center = blade.root + spine.center * size.y;
+    point.along = spine.along;
     let angle = turn + twist * v;
     let level = cross(blade.up, blade.facing) * cos(angle) - blade.facing * sin(angle);
     // The shortest turn from up to along, of a direction perpendicular to up
