@@ -120,6 +120,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
             if let Some(note) = mixed.note {
                 context.note(format!("field '{name}': {note}"));
             }
+            desc.species = mixed.species;
         }
         fields.push(SceneField { name, object, surface, desc, mix });
     }

@@ -8,7 +8,7 @@ use crate::schema::{BandsFile, FieldFile, PlantFile, ShadeFile};
 use glam::Vec2;
 use sward::{Bands, Billboard, Form, Kind, Mix, Plant, Range, Sizes, Species};
 
-/// The mix of a field whose plants are given by probability.
+/// The mix of a field whose plants are given by probability, its pictures read.
 pub(super) fn mix(
     context: &mut Context,
     field: &FieldFile,
@@ -25,7 +25,8 @@ pub(super) fn mix(
     Ok(mix)
 }
 
-fn checked(field: &FieldFile, key: &Key) -> Result<Option<Mix>, Problem> {
+/// The same, without the pictures.
+pub(super) fn checked(field: &FieldFile, key: &Key) -> Result<Option<Mix>, Problem> {
     if field.plants.is_empty() {
         return match field.garden {
             None => Ok(None),

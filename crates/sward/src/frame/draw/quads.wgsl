@@ -33,7 +33,8 @@ struct QuadPoint {
 }
 
 // The plant bends as a blade does, equation 21 of J, and turns about its up direction, the more the
-// higher, by `twist` at its top. `u` is across, 0 to 1, `v` up; size is width and height in metres.
+// higher, by `twist` at its top. `u` is across, 0 to 1, `v` the
+// share of the height; size is width and height in metres.
 fn quad_point(
     blade: Blade,
     tip: vec3<f32>,
