@@ -78,6 +78,7 @@
 
 #[allow(dead_code)]
 mod bake;
+pub mod canopy;
 pub mod collider;
 pub mod color_map;
 pub mod debug;
@@ -98,6 +99,7 @@ pub mod view;
 #[cfg(test)]
 mod pipeline_tests;
 
+pub use canopy::Canopy;
 pub use collider::{Collider, ColliderShape, Pose};
 pub use color_map::{ColorImage, ColorMap};
 pub use debug::{DebugColor, DebugView, Observer};
