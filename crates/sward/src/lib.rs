@@ -87,6 +87,7 @@ pub mod field;
 pub mod frame;
 mod gpu;
 pub mod grow;
+#[allow(dead_code)]
 pub mod plants;
 pub mod renderer;
 pub mod shared;
@@ -94,6 +95,7 @@ pub mod simulation;
 pub mod solid;
 pub mod species;
 pub mod statistics;
+pub mod technique;
 pub mod view;
 
 #[cfg(test)]
@@ -105,15 +107,18 @@ pub use color_map::{ColorImage, ColorMap};
 pub use debug::{DebugColor, DebugView, Observer};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
-pub use frame::wind::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindSource};
+pub use frame::wind::{
+    Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindMap, WindSource, WindTexture,
+};
 pub use grow::obstacles::Obstacle;
 pub use grow::surface::{Mesh, Surface};
 pub use plants::{Look, Picture, Plant};
 pub use renderer::{Renderer, Stage, Targets};
 pub use simulation::{Frame, Gravity, Light, PhysicsModel, Sphere};
 pub use solid::{PackDesc, Packing, Solid};
-pub use species::{ColorRange, Range, Shape, Species};
+pub use species::{Billboard, ColorRange, Form, Range, Shape, Species, Strip};
 pub use statistics::Statistics;
+pub use technique::Technique;
 pub use view::{Culling, View};
 
 /// The README's program compiles.

@@ -11,11 +11,17 @@ pub enum Kind {
     Read,
     /// Storage buffer that is written.
     Write,
+    /// Texture that is read texel by texel.
+    Texels,
     /// Depth texture.
     Depth {
         /// Whether it has several samples a pixel.
         multisampled: bool,
     },
+    /// Colour pictures in layers, filtered.
+    Pictures,
+    /// Filtering sampler.
+    Sampler,
 }
 
 impl Kind {
@@ -26,11 +32,22 @@ impl Kind {
             Self::Uniform => buffer(BufferBindingType::Uniform),
             Self::Read => buffer(BufferBindingType::Storage { read_only: true }),
             Self::Write => buffer(BufferBindingType::Storage { read_only: false }),
+            Self::Texels => BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                view_dimension: wgpu::TextureViewDimension::D2,
+                multisampled: false,
+            },
             Self::Depth { multisampled } => BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Depth,
                 view_dimension: wgpu::TextureViewDimension::D2,
                 multisampled,
             },
+            Self::Pictures => BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Float { filterable: true },
+                view_dimension: wgpu::TextureViewDimension::D2Array,
+                multisampled: false,
+            },
+            Self::Sampler => BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
         }
     }
 }
