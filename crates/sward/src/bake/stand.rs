@@ -19,6 +19,8 @@ pub(crate) const STANDS: usize = 4;
 const MOST: usize = 256;
 /// Patches that the density is measured on.
 const MEASURED: usize = 64;
+/// Most area of blades over an area of ground.
+const DENSEST: f32 = 16.0;
 /// Blades that the means are taken over.
 const MEANS: usize = 4096;
 
@@ -203,7 +205,7 @@ fn area_a_blade(field: &Field) -> f32 {
     let picked: Vec<&Patch> = evenly(patches.len(), MEASURED).map(|i| &patches[i]).collect();
     let areas: Vec<f64> = picked.par_iter().map(|p| ground_area(field.blades(), p)).collect();
     let count: f64 = picked.iter().map(|p| f64::from(p.count)).sum();
-    ((areas.iter().sum::<f64>() / count.max(1.0)) as f32).clamp(1e-8, 1e6)
+    ((areas.iter().sum::<f64>() / count.max(1.0)) as f32).clamp(0.0, 1e6)
 }
 
 impl Stands {
@@ -219,7 +221,8 @@ impl Stands {
         let whole = if patches.len() > 1 { &patches[..patches.len() - 1] } else { patches };
         let all: Vec<usize> = evenly(field.blades().len(), MEANS).collect();
         let means = Means::over(field, &all);
-        let each = area_a_blade(field);
+        // Denser than this nothing shows of the ground, whether the blades stand on one point or not
+        let each = area_a_blade(field).max(means.area / DENSEST);
         let picked: Vec<&Patch> = evenly(whole.len(), STANDS).map(|i| &whole[i]).collect();
         let stand = |patch: &&Patch| {
             let first = patch.first as usize;

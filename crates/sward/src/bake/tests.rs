@@ -5,6 +5,7 @@ use super::cluster::{AZIMUTHS, CLUSTER_BLADES, ELEVATIONS, VARIANTS, clusters};
 use super::cover::{ROWS, sine};
 use super::layers::Layers;
 use super::stand::Stands;
+use super::surfels::SURFELS;
 use crate::{ColorRange, Field, FieldDesc, Mesh, Range, Shape, Species, Surface};
 use glam::{UVec2, Vec2, Vec3};
 
@@ -71,7 +72,7 @@ fn mean_albedo_is_the_blades() {
     assert!((color / Vec3::new(0.2, 0.4, 0.1) - 1.0).abs().max_element() < 0.01, "{color}");
     let canopy = canopy(&stands, None);
     for row in 0..ROWS {
-        let own = &canopy.surfels[row * 8..(row + 1) * 8];
+        let own = &canopy.surfels[row * SURFELS..(row + 1) * SURFELS];
         let mean: Vec3 = own.iter().map(|s| Vec3::from(s.albedo) * s.weight).sum();
         let off = (mean / Vec3::new(0.2, 0.4, 0.1) - 1.0).abs().max_element();
         assert!(off < 0.05, "elevation {row}: {mean}");
@@ -154,8 +155,8 @@ fn small_fields_are_baked() {
     for count in [1, 2, 5, 70] {
         let (metric, order) = Default::default();
         let species = vec![Species::default()];
-        let field = Field::from_blades(species, &vec![blade; count], 64, metric, order)
-            .expect("a field");
+        let field =
+            Field::from_blades(species, &vec![blade; count], 64, metric, order).expect("a field");
         let stands = Stands::of(&field);
         let baked = clusters(&stands);
         assert_eq!(baked.color.count as usize, VARIANTS * ELEVATIONS * AZIMUTHS);

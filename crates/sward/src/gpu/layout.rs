@@ -202,7 +202,7 @@ pub struct GpuCanopy {
     pub tint: [f32; 4],
     pub tint_mean: [f32; 4],
     pub rows: [[f32; 4]; 6],
-    pub surfels: [GpuSurfel; 48],
+    pub surfels: [GpuSurfel; 192],
 }
 
 impl GpuCanopy {

