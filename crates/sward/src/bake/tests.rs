@@ -22,7 +22,7 @@ fn sheet(layers: &Layers, path: &str) {
     let (columns, rows) = (VARIANTS * AZIMUTHS, ELEVATIONS);
     let mut file = std::fs::File::create(path).expect("a file");
     let (width, height) = (w as usize * columns, h as usize * rows);
-    write!(file, "P6 {width} {height} 255\n").expect("written");
+    writeln!(file, "P6 {width} {height} 255").expect("written");
     for y in 0..height {
         for x in 0..width {
             let (column, row) = (x / w as usize, y / h as usize);

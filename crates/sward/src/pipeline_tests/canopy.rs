@@ -25,7 +25,7 @@ const RUN: &str = "
 fn of_canopy(@builtin(global_invocation_id) id: vec3<u32>) {
     let up = vec3<f32>(0.0, 1.0, 0.0);
     let eye = given[id.x].xyz;
-    found[id.x] = vec4<f32>(canopy_radiance(up, eye, 0.0), canopy_coverage(up, eye));
+    found[id.x] = vec4<f32>(canopy_radiance(up, eye, 0.0, 0.25), canopy_coverage(up, eye));
 }
 
 @compute @workgroup_size(1)
@@ -34,7 +34,7 @@ fn of_blades(@builtin(global_invocation_id) id: vec3<u32>) {
     let albedo = given[3u * id.x + 2u];
     let up = vec3<f32>(0.0, 1.0, 0.0);
     let surface =
-        BladeSurface(albedo.xyz, normal.xyz, up, normal.w, canopy.size.w, albedo.w);
+        BladeSurface(albedo.xyz, normal.xyz, up, normal.w, canopy.size.w, albedo.w, 0.25, 0.0, 0.0);
     found[id.x] = vec4<f32>(shade_blade(surface, given[3u * id.x].xyz), 1.0);
 }
 ";

@@ -39,7 +39,8 @@ fn canopy_row(sine: f32) -> f32 {
 }
 
 // Radiance of what shows of the grass at one elevation, by every so-many-th representative. `lean` is
-// how far wind bends the grass over on the whole, 0 to 1.
+// how far wind bends the grass over on the whole, 0 to 1; `shaded` the share of the sun that something
+// keeps away.
 fn canopy_part_radiance(
     row: u32,
     first: u32,
@@ -47,6 +48,7 @@ fn canopy_part_radiance(
     up: vec3<f32>,
     to_eye: vec3<f32>,
     lean: f32,
+    shaded: f32,
 ) -> vec3<f32> {
     let level = to_eye - up * dot(to_eye, up);
     let square = dot(level, level);
@@ -58,6 +60,7 @@ fn canopy_part_radiance(
     var surface: BladeSurface;
     surface.up = up;
     surface.root_open = canopy.size.w;
+    surface.shaded = shaded;
     surface.lean = min(sqrt(canopy.pose.x * canopy.pose.x + lean * lean), 1.0);
     var sum = vec3<f32>(0.0);
     for (var i = first; i < CANOPY_SURFELS; i += step) {
@@ -71,17 +74,18 @@ fn canopy_part_radiance(
     return sum * f32(step);
 }
 
-fn canopy_row_radiance(row: u32, up: vec3<f32>, to_eye: vec3<f32>, lean: f32) -> vec3<f32> {
-    return canopy_part_radiance(row, 0u, 1u, up, to_eye, lean);
+fn canopy_row_radiance(row: u32, up: vec3<f32>, to_eye: vec3<f32>, lean: f32, shaded: f32)
+    -> vec3<f32> {
+    return canopy_part_radiance(row, 0u, 1u, up, to_eye, lean, shaded);
 }
 
 // Mean radiance of the grass, seen from `to_eye`.
-fn canopy_radiance(up: vec3<f32>, to_eye: vec3<f32>, lean: f32) -> vec3<f32> {
+fn canopy_radiance(up: vec3<f32>, to_eye: vec3<f32>, lean: f32, shaded: f32) -> vec3<f32> {
     let row = canopy_row(dot(up, to_eye));
     let low = min(u32(row), CANOPY_ROWS - 2u);
     return mix(
-        canopy_row_radiance(low, up, to_eye, lean),
-        canopy_row_radiance(low + 1u, up, to_eye, lean),
+        canopy_row_radiance(low, up, to_eye, lean, shaded),
+        canopy_row_radiance(low + 1u, up, to_eye, lean, shaded),
         row - f32(low),
     );
 }
@@ -89,11 +93,17 @@ fn canopy_radiance(up: vec3<f32>, to_eye: vec3<f32>, lean: f32) -> vec3<f32> {
 // What a texel of a cluster's picture is multiplied by, so that the mean over what shows is the
 // canopy's radiance. `dither`, 0 to 1, picks one of the two elevations next to the view's. Of a
 // card's four corners each takes a quarter of the representatives; between them lies their mean.
-fn canopy_light(up: vec3<f32>, to_eye: vec3<f32>, lean: f32, dither: f32, corner: u32)
-    -> vec3<f32> {
+fn canopy_light(
+    up: vec3<f32>,
+    to_eye: vec3<f32>,
+    lean: f32,
+    shaded: f32,
+    dither: f32,
+    corner: u32,
+) -> vec3<f32> {
     let row = u32(clamp(canopy_row(dot(up, to_eye)) + dither, 0.0, 5.0));
     let mean = max(canopy.rows[row].rgb, vec3<f32>(1e-4));
-    return canopy_part_radiance(row, corner & 3u, 4u, up, to_eye, lean) / mean;
+    return canopy_part_radiance(row, corner & 3u, 4u, up, to_eye, lean, shaded) / mean;
 }
 
 // Share of the ground that the grass hides, seen from `to_eye`.
