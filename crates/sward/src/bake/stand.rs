@@ -5,7 +5,7 @@ use super::Triangle;
 use super::color::{Tones, tone_at, tones};
 use super::ribbon::Ribbon;
 use crate::frame::physics::twin::{self, rest_tip};
-use crate::gpu::quantize::{species_table, tangent_frame};
+use crate::gpu::quantize::{area_scale, field_openness, tangent_frame};
 use crate::grow::{Blade, Patch};
 use crate::shared::curve_twin::middle_point;
 use crate::shared::noise_twin::hash01;
@@ -211,10 +211,10 @@ fn area_a_blade(field: &Field) -> f32 {
 impl Stands {
     /// Some patches of a field, evenly spread over it.
     pub(crate) fn of(field: &Field) -> Self {
-        let table = species_table(field);
+        let scales: Vec<f32> = field.species().iter().map(|s| area_scale(s, 0)).collect();
         let wider = |index: usize| {
             let species = usize::from(field.blades()[index].species);
-            table.get(species).map_or(1.0, |s| s.area_scale[0])
+            scales.get(species).copied().unwrap_or(1.0)
         };
         let patches = field.patches();
         // The last patch may have few blades
@@ -231,7 +231,7 @@ impl Stands {
         };
         Self {
             stands: picked.par_iter().map(stand).collect(),
-            root_open: table.first().map_or(0.5, |s| s.form[2]),
+            root_open: field_openness(field),
             means,
         }
     }

@@ -6,6 +6,7 @@ use crate::bake::cover::{Cover, look, sine};
 use crate::bake::stand::{Stand, Stands};
 use crate::gpu::shaders::Shader;
 use crate::gpu::test_device;
+use crate::plants::layers::PlantLayers;
 use crate::{Canopy, Field, FieldDesc, Light, Mesh, Surface, canopy};
 use glam::{UVec2, Vec2, Vec3};
 use wgpu::util::DeviceExt;
@@ -231,7 +232,8 @@ fn colors_agree(
         })
     };
     let field = meadow();
-    let mut table = crate::gpu::quantize::species_table(&field);
+    let mut table =
+        crate::gpu::quantize::species_table(&field, &PlantLayers::new(std::iter::empty()));
     table[0].tint = 0.6;
     let packed = crate::gpu::quantize::pack_color([0.3, 0.2, 0.7]);
     let surface = Vec3::from(crate::gpu::quantize::unpack_color(packed));

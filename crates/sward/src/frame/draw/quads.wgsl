@@ -33,7 +33,8 @@ struct QuadPoint {
 }
 
 // The plant bends as a blade does, equation 21 of J, and turns about its up direction, the more the
-// higher, by `twist` at its top. `u` is across, 0 to 1, `v` up; size is width and height in metres.
+// higher, by `twist` at its top. `u` is across, 0 to 1, `v` the
+// share of the height; size is width and height in metres.
 fn quad_point(
     blade: Blade,
     tip: vec3<f32>,
@@ -43,12 +44,10 @@ fn quad_point(
     u: f32,
     v: f32,
 ) -> QuadPoint {
-    let knee = middle_point(tip, blade.up, blade.arch);
-    let a = knee * v;
-    let b = mix(knee, tip, v);
+    let spine = spine_at(blade, tip, v);
     var point: QuadPoint;
-    point.center = blade.root + mix(a, b, v) * size.y;
-    point.along = unit_or(b - a, blade.up);
+    point.center = blade.root + spine.center * size.y;
+    point.along = spine.along;
     let angle = turn + twist * v;
     let level = cross(blade.up, blade.facing) * cos(angle) - blade.facing * sin(angle);
     // The shortest turn from up to along, of a direction perpendicular to up
