@@ -23,6 +23,8 @@ struct QuadVertex {
 }
 
 const HIDDEN_QUAD: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);
+// Radii of the plant that light from the sun passes in the mean
+const MEAN_WAY: f32 = 0.85;
 const LOOK_SALT: u32 = 41u;
 // Pictures of a variant: seen from three sides, 60 degrees apart
 const PICTURE_VIEWS: u32 = 3u;
@@ -86,8 +88,9 @@ fn vs_quad(
     return out;
 }
 
-// Share of the light that the plant keeps away on its way from the sun to a point in it: Beer and
-// Lambert's law over the way through a cylinder about it.
+// Share of the sun's light that the plant keeps away on its way to a point in it, beyond what it does
+// in the mean: Beer and Lambert's law over the way through a cylinder about it. Below 0 where it keeps
+// away less. The mean is canopy_open's, so that a plant is as bright as its model.
 fn absorbed_in(in: QuadVertex) -> f32 {
     let radius = 0.5 * in.size.x;
     let rise = dot(frame.to_sun.xyz, in.up);
@@ -98,7 +101,7 @@ fn absorbed_in(in: QuadVertex) -> f32 {
     let room = max(radius * radius - dot(flat_offset, flat_offset), 0.0);
     let to_side = (sqrt(ahead * ahead + speed2 * room) - ahead) / speed2;
     let to_top = in.size.y * (1.0 - in.place.y) / max(rise, 0.05);
-    return 1.0 - exp(-in.looks.w * min(to_side, to_top) / max(radius, 1e-4));
+    return 1.0 - exp(-in.looks.w * (min(to_side, to_top) / max(radius, 1e-4) - MEAN_WAY));
 }
 
 @fragment
