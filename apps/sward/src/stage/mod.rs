@@ -6,6 +6,7 @@
 mod clock;
 mod frame;
 mod fullscreen;
+mod grass_look;
 mod meshes;
 mod movers;
 mod opaque;
@@ -24,6 +25,7 @@ pub use options::{StageOptions, no_culling};
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
 use anyhow::{Context, Result};
 use frame::{CameraMatrices, FrameUniform};
+use grass_look::GrassLook;
 use image::RgbImage;
 use movers::Movers;
 use opaque::Opaque;
@@ -93,7 +95,8 @@ impl Stage {
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);
-        let opaque = Opaque::new(gpu, &uniform, scene, &movers, samples);
+        let grass = GrassLook::of_objects(scene, fields, &options);
+        let opaque = Opaque::new(gpu, &uniform, scene, &movers, &grass, samples);
         let passes = Passes::new(device, &uniform, &targets, samples);
         let warm_up_s = f64::from(scene.warm_up_s);
         let mut stage = Self {
