@@ -15,12 +15,14 @@ use crate::gpu::statistics::{PageCounts, ReadBack};
 use crate::gpu::view::{check_view, gpu_view};
 use crate::{Error, Field, Frame, PhysicsModel, Statistics, Technique, View};
 
+mod baked;
 mod clock;
 mod debugging;
 mod inputs;
 mod layouts;
 mod saved;
 
+use baked::Unbaked;
 use clock::Clock;
 use inputs::Inputs;
 pub(crate) use layouts::Layouts;
@@ -90,6 +92,7 @@ pub struct Renderer {
     clock: Clock,
     model: PhysicsModel,
     pages: Vec<Page>,
+    unbaked: Vec<Unbaked>,
     totals: Statistics,
     read_back: ReadBack,
 }
@@ -115,6 +118,7 @@ impl Renderer {
             clock: Clock::default(),
             model: PhysicsModel::default(),
             pages: Vec::new(),
+            unbaked: Vec::new(),
             totals: Statistics::default(),
             read_back: ReadBack::default(),
             layouts,
@@ -148,11 +152,16 @@ impl Renderer {
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
         let species = species_table(field);
+        let first_page = self.pages.len();
         for first in (0..patch_count).step_by(patches_a_page.max(1)) {
             let range = first..(first + patches_a_page).min(patch_count);
             let ticks = self.clock.ticks();
             let page = Page::new(device, &self.layouts, field, &species, range, self.model, ticks);
             self.pages.push(page);
+        }
+        if count > 0 {
+            let pages = first_page..self.pages.len();
+            self.unbaked.push(Unbaked::new(field, pages));
         }
         self.inputs.forget_lists();
         self.totals.blades += count;
@@ -247,6 +256,7 @@ impl Renderer {
         view: &View,
     ) -> Result<(), Error> {
         check_view(view)?;
+        self.bake(device, encoder, view.technique);
         for page in 0..self.pages.len() {
             // Views are numbered without gaps
             for earlier in self.pages[page].views.len()..index {
@@ -364,6 +374,7 @@ impl Renderer {
     /// Forgets every field.
     pub(crate) fn clear(&mut self) {
         self.pages.clear();
+        self.unbaked.clear();
         self.totals = Statistics::default();
     }
 }

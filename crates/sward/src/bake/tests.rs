@@ -154,8 +154,8 @@ fn small_fields_are_baked() {
     for count in [1, 2, 5, 70] {
         let (metric, order) = Default::default();
         let species = vec![Species::default()];
-        let field = Field::from_blades(species, &vec![blade; count], 64, metric, order)
-            .expect("a field");
+        let field =
+            Field::from_blades(species, &vec![blade; count], 64, metric, order).expect("a field");
         let stands = Stands::of(&field);
         let baked = clusters(&stands);
         assert_eq!(baked.color.count as usize, VARIANTS * ELEVATIONS * AZIMUTHS);

@@ -1,6 +1,6 @@
 //! Which draw lists the plants of a page may be in.
 
-use super::layout::{BLADE_BUCKETS, BUCKETS};
+use super::layout::{BUCKETS, CLUSTER_BUCKET};
 use super::quantize::has_flat_tip;
 use crate::{Species, Technique};
 
@@ -12,10 +12,8 @@ impl Buckets {
     /// Those that plants of these species may be in, in a view of that technique.
     pub fn of(species: &[Species], technique: Technique) -> Self {
         match technique {
-            Technique::Blades
-            | Technique::Strips
-            | Technique::Billboards
-            | Technique::Continuum => Self::blades(species),
+            Technique::Blades | Technique::Strips | Technique::Billboards => Self::blades(species),
+            Technique::Continuum => Self(Self::blades(species).0 | 1 << CLUSTER_BUCKET),
         }
     }
 
@@ -23,11 +21,6 @@ impl Buckets {
     fn blades(species: &[Species]) -> Self {
         let lists = |s: &Species| if has_flat_tip(s) { 0xf0 } else { 0x0f };
         Self(species.iter().map(lists).fold(0, |all, own| all | own))
-    }
-
-    /// Of these, those of single blades.
-    pub fn blades_only(self) -> Self {
-        Self(self.0 & ((1 << BLADE_BUCKETS) - 1))
     }
 
     /// In order.

@@ -1,10 +1,8 @@
 //! The pictures of a field's clusters and plants, and the light that clusters stand for: what its
 //! draw group holds beside its buffers.
 
-use super::buffers::uniform;
-
-/// Bytes of the clusters' surfels.
-pub const SURFELS_BYTES: u64 = 1024;
+use super::buffers::filled;
+use super::layout::GpuCanopy;
 
 /// Group 1 of drawing from binding 6 on, but for the bands.
 #[derive(Debug, Clone)]
@@ -19,8 +17,8 @@ pub struct Pictures {
     pub plant_normal: wgpu::TextureView,
     /// Trilinear.
     pub sampler: wgpu::Sampler,
-    /// Representatives of the clusters' surface.
-    pub surfels: wgpu::Buffer,
+    /// `GpuCanopy`: what clusters and ground are lit as.
+    pub canopy: wgpu::Buffer,
 }
 
 fn blank(device: &wgpu::Device) -> wgpu::TextureView {
@@ -41,6 +39,12 @@ fn blank(device: &wgpu::Device) -> wgpu::TextureView {
 }
 
 impl Pictures {
+    /// The uniform of a canopy.
+    pub fn canopy_buffer(device: &wgpu::Device, canopy: &GpuCanopy) -> wgpu::Buffer {
+        let content = bytemuck::bytes_of(canopy);
+        filled(device, "sward.canopy", content, wgpu::BufferUsages::UNIFORM)
+    }
+
     /// One texel each: for fields that need none.
     pub fn none(device: &wgpu::Device) -> Self {
         let texture = blank(device);
@@ -56,7 +60,7 @@ impl Pictures {
                 mipmap_filter: wgpu::MipmapFilterMode::Linear,
                 ..Default::default()
             }),
-            surfels: uniform(device, "sward.surfels", SURFELS_BYTES),
+            canopy: Self::canopy_buffer(device, &GpuCanopy::empty()),
         }
     }
 }

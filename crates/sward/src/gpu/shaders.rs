@@ -37,11 +37,17 @@ const STRIPS: &str = part!("frame/level/strips.wgsl");
 const BANDS: &str = part!("frame/level/bands.wgsl");
 const DECIDE: &str = part!("frame/update/decide.wgsl");
 const EXPLAIN: &str = part!("frame/debug/explain.wgsl");
+const DEBUG_COLORS: &str = part!("frame/debug/colors.wgsl");
+const DEBUG_CLUSTER: &str = part!("frame/debug/cluster.wgsl");
 const DEBUG: &str = part!("frame/debug/debug.wgsl");
 const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
 const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
+const CANOPY: &str = part!("frame/light/canopy.wgsl");
+const END: &str = part!("frame/light/end.wgsl");
+const PICTURES: &str = part!("frame/draw/pictures.wgsl");
+const CLUSTER: &str = part!("frame/draw/cluster.wgsl");
 const PLANT: &str = part!("frame/draw/plant.wgsl");
 const OUTLINE: &str = part!("frame/draw/outline.wgsl");
 const LOBES: &str = part!("frame/draw/lobes.wgsl");
@@ -68,17 +74,21 @@ pub enum Shader {
     Draw,
     /// Blades with lobes.
     DrawLobed,
+    /// Clusters.
+    DrawCluster,
     /// Why each blade is drawn or not, reading a single-sampled depth.
     Explain,
     /// The same, reading a multisampled depth.
     ExplainMultisampled,
     /// Blades as a debug view shows them.
     DrawDebug,
+    /// Clusters likewise.
+    DrawDebugCluster,
 }
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -87,9 +97,11 @@ impl Shader {
         Self::Compact,
         Self::Draw,
         Self::DrawLobed,
+        Self::DrawCluster,
         Self::Explain,
         Self::ExplainMultisampled,
         Self::DrawDebug,
+        Self::DrawDebugCluster,
     ];
 
     /// Label in debuggers: `sward.` and the stage's stem.
@@ -100,15 +112,16 @@ impl Shader {
             Self::Update | Self::UpdateMultisampled => "sward.update",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
-            Self::Draw | Self::DrawLobed => "sward.draw",
+            Self::Draw | Self::DrawLobed | Self::DrawCluster => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
-            Self::DrawDebug => "sward.debug",
+            Self::DrawDebug | Self::DrawDebugCluster => "sward.debug",
         }
     }
 
     fn parts(self) -> Vec<&'static str> {
         let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, PLANT, OUTLINE, BLADE_POINT, DRAW].as_slice();
-        let level = [LEVEL, FORM, CONTINUUM, STRIPS, BANDS];
+        let level = [LEVEL, END, FORM, CONTINUUM, STRIPS, BANDS];
+        let cluster = [STATE, BAND, DRAWS, VIEW, LIGHT, CANOPY, PLANT, PICTURES];
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
         let update = [&motion[..], &level, &[TESTS, DECIDE, UPDATE]].concat();
@@ -122,9 +135,11 @@ impl Shader {
             Self::Compact => &[&[BAND, VIEW, COMPACT]],
             Self::Draw => &[draw],
             Self::DrawLobed => &[draw, &[LOBES, LOBED]],
+            Self::DrawCluster => &[&cluster, &level, &[CLUSTER]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
-            Self::DrawDebug => &[draw, &[LOBES, LOBED, DEBUG]],
+            Self::DrawDebug => &[draw, &[LOBES, LOBED, DEBUG_COLORS, DEBUG]],
+            Self::DrawDebugCluster => &[&cluster, &level, &[CLUSTER, DEBUG_COLORS, DEBUG_CLUSTER]],
         };
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
         [&field[..], &rest.concat()].concat()

@@ -62,11 +62,14 @@ fn run(entry: &str, canopy: &Canopy, light: &Light, given: &[[f32; 4]], count: u
     use wgpu::BufferUsages as U;
     let buffer = |contents: &[u8], usage| {
         let usage = usage | U::COPY_SRC;
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
+        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: None,
+            contents,
+            usage,
+        })
     };
     let v = |v: Vec3| v.extend(0.0).to_array();
-    let values =
-        [v(light.to_sun), v(light.sun), v(light.sky), v(light.ground), v(light.haze)];
+    let values = [v(light.to_sun), v(light.sun), v(light.sky), v(light.ground), v(light.haze)];
     let output = buffer(&vec![0; count * 16], U::STORAGE);
     let buffers = [
         buffer(bytemuck::cast_slice(&values), U::UNIFORM),
@@ -221,7 +224,11 @@ fn colors_agree(
     use wgpu::BufferUsages as U;
     let buffer = |contents: &[u8], usage| {
         let usage = usage | U::COPY_SRC;
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
+        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: None,
+            contents,
+            usage,
+        })
     };
     let field = meadow();
     let mut table = crate::gpu::quantize::species_table(&field);
