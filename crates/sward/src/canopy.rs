@@ -14,7 +14,7 @@
 //! // In the ground's fragment: up the surface's normal, focal_px the pixels of a metre 1 m away
 //! let gone = canopy_gone(canopy.size.z * focal_px / distance);
 //! let share = canopy_on_ground(canopy_coverage(up, to_eye), gone);
-//! color = mix(color, canopy_radiance(up, to_eye, 0.0), share);
+//! color = mix(color, canopy_radiance(up, to_eye, 0.0, 0.0), share);
 //! ```
 //! `to_sun` is the unit direction to the sun; `sun`, `sky`, `ground` and `haze` are those of
 //! [`crate::Light`], `haze.w` its share a metre.
@@ -28,7 +28,7 @@ use crate::gpu::layout::GpuCanopy;
 use glam::Vec3;
 
 /// The light on grass as a whole: structs `GpuCanopy`, `GpuSurfel` and `BladeSurface`, and the
-/// functions `canopy_radiance(up, to_eye, lean)`, `canopy_coverage(up, to_eye)`,
+/// functions `canopy_radiance(up, to_eye, lean, shaded)`, `canopy_coverage(up, to_eye)`,
 /// `canopy_gone(height_px)`, `canopy_on_ground(coverage, gone)` and `canopy_tint(own)`, with what
 /// they call. It declares no binding; see the module's page for what it needs.
 pub const WGSL: &str = concat!(

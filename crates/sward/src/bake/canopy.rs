@@ -9,7 +9,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 /// Places that are grouped, of an elevation.
-const GROUPED: usize = 4096;
+const GROUPED: usize = 8192;
 
 /// Looks at stands from all elevations. `clusters` gives the size of theirs.
 pub(crate) fn canopy(stands: &Stands, clusters: Option<&Clusters>) -> GpuCanopy {

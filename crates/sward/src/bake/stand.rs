@@ -5,7 +5,7 @@ use super::Triangle;
 use super::color::{Tones, tone_at, tones};
 use super::ribbon::Ribbon;
 use crate::frame::physics::twin::{self, rest_tip};
-use crate::gpu::quantize::{species_table, tangent_frame};
+use crate::gpu::quantize::{area_scale, field_openness, tangent_frame};
 use crate::grow::{Blade, Patch};
 use crate::shared::curve_twin::middle_point;
 use crate::shared::noise_twin::hash01;
@@ -19,6 +19,8 @@ pub(crate) const STANDS: usize = 4;
 const MOST: usize = 256;
 /// Patches that the density is measured on.
 const MEASURED: usize = 64;
+/// Most area of blades over an area of ground.
+const DENSEST: f32 = 16.0;
 /// Blades that the means are taken over.
 const MEANS: usize = 4096;
 
@@ -203,23 +205,24 @@ fn area_a_blade(field: &Field) -> f32 {
     let picked: Vec<&Patch> = evenly(patches.len(), MEASURED).map(|i| &patches[i]).collect();
     let areas: Vec<f64> = picked.par_iter().map(|p| ground_area(field.blades(), p)).collect();
     let count: f64 = picked.iter().map(|p| f64::from(p.count)).sum();
-    ((areas.iter().sum::<f64>() / count.max(1.0)) as f32).clamp(1e-8, 1e6)
+    ((areas.iter().sum::<f64>() / count.max(1.0)) as f32).clamp(0.0, 1e6)
 }
 
 impl Stands {
     /// Some patches of a field, evenly spread over it.
     pub(crate) fn of(field: &Field) -> Self {
-        let table = species_table(field);
+        let scales: Vec<f32> = field.species().iter().map(|s| area_scale(s, 0)).collect();
         let wider = |index: usize| {
             let species = usize::from(field.blades()[index].species);
-            table.get(species).map_or(1.0, |s| s.area_scale[0])
+            scales.get(species).copied().unwrap_or(1.0)
         };
         let patches = field.patches();
         // The last patch may have few blades
         let whole = if patches.len() > 1 { &patches[..patches.len() - 1] } else { patches };
         let all: Vec<usize> = evenly(field.blades().len(), MEANS).collect();
         let means = Means::over(field, &all);
-        let each = area_a_blade(field);
+        // Denser than this nothing shows of the ground, whether the blades stand on one point or not
+        let each = area_a_blade(field).max(means.area / DENSEST);
         let picked: Vec<&Patch> = evenly(whole.len(), STANDS).map(|i| &whole[i]).collect();
         let stand = |patch: &&Patch| {
             let first = patch.first as usize;
@@ -228,7 +231,7 @@ impl Stands {
         };
         Self {
             stands: picked.par_iter().map(stand).collect(),
-            root_open: table.first().map_or(0.5, |s| s.form[2]),
+            root_open: field_openness(field),
             means,
         }
     }

@@ -1,15 +1,15 @@
-//! Few representatives of much that shows: groups of alike normal, height and brightness.
+//! Few representatives of much that shows: groups of alike normal and height, all of equal weight.
 
 use super::cover::Shown;
 use crate::gpu::layout::GpuSurfel;
 use glam::Vec3;
 
 /// Representatives of an elevation.
-pub(crate) const SURFELS: usize = 8;
-/// Rounds of grouping.
-const ROUNDS: usize = 6;
+pub(crate) const SURFELS: usize = 1 << HALVINGS;
+/// Halvings that lead to them.
+const HALVINGS: usize = 5;
 /// How much a whole height counts beside a whole turn of the normal.
-const HEIGHT: f32 = 1.5;
+const HEIGHT: f32 = 1.0;
 
 /// Share of the sky that the canopy lets through to a height in it: the twin of `canopy_open` in
 /// light.wgsl.
@@ -60,54 +60,65 @@ impl Sum {
     }
 }
 
-fn distance(center: (Vec3, f32), shown: &Shown) -> f32 {
-    let height = (center.1 - shown.height_share) * HEIGHT;
-    center.0.distance_squared(shown.normal) + height * height
+/// What places are told apart by.
+fn features(place: &Weighted) -> [f32; 4] {
+    let [x, y, z] = place.shown.normal.to_array();
+    [x, y, z, place.shown.height_share * HEIGHT]
 }
 
-fn nearest(centers: &[(Vec3, f32)], shown: &Shown) -> usize {
-    let of = |i: usize| distance(centers[i], shown);
-    (1..centers.len()).fold(0, |best, i| if of(i) < of(best) { i } else { best })
+/// The feature that varies most.
+fn widest(places: &[Weighted]) -> usize {
+    let weight: f32 = places.iter().map(|p| p.weight).sum();
+    let variance = |axis: usize| {
+        let mean = places.iter().map(|p| features(p)[axis] * p.weight).sum::<f32>() / weight;
+        places.iter().map(|p| (features(p)[axis] - mean).powi(2) * p.weight).sum::<f32>()
+    };
+    let all: [f32; 4] = std::array::from_fn(variance);
+    (1..4).fold(0, |best, axis| if all[axis] > all[best] { axis } else { best })
 }
 
-/// The first place, then each time the one that is farthest from those taken.
-fn seeds(places: &[Weighted]) -> Vec<(Vec3, f32)> {
-    let mut far = vec![f32::INFINITY; places.len()];
-    let mut centers: Vec<(Vec3, f32)> = Vec::new();
-    let mut next = 0;
-    while centers.len() < SURFELS.min(places.len()) {
-        let center = (places[next].shown.normal, places[next].shown.height_share);
-        centers.push(center);
-        for (own, place) in far.iter_mut().zip(places) {
-            *own = own.min(distance(center, &place.shown));
-        }
-        next = (0..far.len()).fold(0, |best, i| if far[i] > far[best] { i } else { best });
+/// Halves the weight across the widest feature; a place in the middle goes to both halves in part.
+fn halves(mut places: Vec<Weighted>) -> [Vec<Weighted>; 2] {
+    let axis = widest(&places);
+    places.sort_by(|a, b| features(a)[axis].total_cmp(&features(b)[axis]));
+    let half = 0.5 * places.iter().map(|p| p.weight).sum::<f32>();
+    let mut low = Vec::with_capacity(places.len() / 2 + 1);
+    let mut weight = 0.0;
+    while let Some(place) = places.get(low.len())
+        && weight + place.weight < half
+    {
+        weight += place.weight;
+        low.push(*place);
     }
-    centers
+    let mut high = places.split_off(low.len());
+    if let Some(middle) = high.first_mut() {
+        let own = (half - weight).clamp(0.0, middle.weight);
+        low.push(Weighted { weight: own, ..*middle });
+        middle.weight -= own;
+    }
+    high.retain(|place| place.weight > 0.0);
+    low.retain(|place| place.weight > 0.0);
+    [low, high]
 }
 
-/// Groups places; weights of what is returned sum to one, or are all 0 where there are no places.
+/// Groups places. Each group has as much weight as another, and those of numbers that differ by a
+/// multiple of four lie far from each other; where there are no places all weights are 0.
 pub(crate) fn group(places: &[Weighted], root_open: f32) -> [GpuSurfel; SURFELS] {
-    let mut centers = seeds(places);
-    let mut sums = [Sum::default(); SURFELS];
-    for _ in 0..ROUNDS {
-        sums = [Sum::default(); SURFELS];
-        for place in places {
-            sums[nearest(&centers, &place.shown)].add(place, root_open);
-        }
-        for (center, sum) in centers.iter_mut().zip(&sums) {
-            if sum.weight > 0.0 {
-                *center = sum.center();
-            }
-        }
+    let mut groups = vec![places.to_vec()];
+    for _ in 0..HALVINGS {
+        groups = groups.into_iter().flat_map(halves).collect();
     }
-    let total: f32 = sums.iter().map(|sum| sum.weight).sum();
-    sums.map(|sum| surfel(&sum, total, root_open))
+    let sum = |list: &Vec<Weighted>| {
+        list.iter().fold(Sum::default(), |mut sum, place| {
+            sum.add(place, root_open);
+            sum
+        })
+    };
+    std::array::from_fn(|i| surfel(&groups.get(i).map(sum).unwrap_or_default(), root_open))
 }
 
-/// The mean of a group. Normals are left shorter than one, so that a lit side's light is the mean of
-/// the group's; the colour is that which, at the mean height, is as bright as the group.
-fn surfel(sum: &Sum, total: f32, root_open: f32) -> GpuSurfel {
+/// The mean of a group; the colour is that which, at the mean height, is as bright as the group.
+fn surfel(sum: &Sum, root_open: f32) -> GpuSurfel {
     if sum.weight <= 0.0 {
         return GpuSurfel {
             normal: [0.0, 1.0, 0.0],
@@ -119,8 +130,8 @@ fn surfel(sum: &Sum, total: f32, root_open: f32) -> GpuSurfel {
     let (normal, height_share) = sum.center();
     let albedo = sum.shaded / (sum.weight * depth_shade(height_share, root_open)).max(1e-12);
     GpuSurfel {
-        normal: normal.to_array(),
-        weight: sum.weight / total,
+        normal: normal.normalize_or(Vec3::Y).to_array(),
+        weight: 1.0 / SURFELS as f32,
         albedo: albedo.to_array(),
         height_share,
     }
@@ -147,9 +158,8 @@ mod tests {
         let surfels = group(&places, 0.2);
         let weight: f32 = surfels.iter().map(|s| s.weight).sum();
         assert!((weight - 1.0).abs() < 1e-5);
+        assert!(surfels.iter().all(|s| (Vec3::from(s.normal).length() - 1.0).abs() < 1e-5));
         let mean = |of: &dyn Fn(&Weighted) -> Vec3| places.iter().map(of).sum::<Vec3>() / 500.0;
-        let normal: Vec3 = surfels.iter().map(|s| Vec3::from(s.normal) * s.weight).sum();
-        assert!(normal.distance(mean(&|p| p.shown.normal)) < 1e-4);
         let shaded = |h: f32, a: Vec3| a * depth_shade(h, 0.2);
         let bright: Vec3 =
             surfels.iter().map(|s| shaded(s.height_share, s.albedo.into()) * s.weight).sum();

@@ -5,6 +5,7 @@ use super::cluster::{AZIMUTHS, CLUSTER_BLADES, ELEVATIONS, VARIANTS, clusters};
 use super::cover::{ROWS, sine};
 use super::layers::Layers;
 use super::stand::Stands;
+use super::surfels::SURFELS;
 use crate::{ColorRange, Field, FieldDesc, Mesh, Range, Shape, Species, Surface};
 use glam::{UVec2, Vec2, Vec3};
 
@@ -21,7 +22,7 @@ fn sheet(layers: &Layers, path: &str) {
     let (columns, rows) = (VARIANTS * AZIMUTHS, ELEVATIONS);
     let mut file = std::fs::File::create(path).expect("a file");
     let (width, height) = (w as usize * columns, h as usize * rows);
-    write!(file, "P6 {width} {height} 255\n").expect("written");
+    writeln!(file, "P6 {width} {height} 255").expect("written");
     for y in 0..height {
         for x in 0..width {
             let (column, row) = (x / w as usize, y / h as usize);
@@ -71,7 +72,7 @@ fn mean_albedo_is_the_blades() {
     assert!((color / Vec3::new(0.2, 0.4, 0.1) - 1.0).abs().max_element() < 0.01, "{color}");
     let canopy = canopy(&stands, None);
     for row in 0..ROWS {
-        let own = &canopy.surfels[row * 8..(row + 1) * 8];
+        let own = &canopy.surfels[row * SURFELS..(row + 1) * SURFELS];
         let mean: Vec3 = own.iter().map(|s| Vec3::from(s.albedo) * s.weight).sum();
         let off = (mean / Vec3::new(0.2, 0.4, 0.1) - 1.0).abs().max_element();
         assert!(off < 0.05, "elevation {row}: {mean}");

@@ -72,6 +72,7 @@ pub struct GpuFrame {
     pub sky: [f32; 4],
     pub ground: [f32; 4],
     pub haze: [f32; 4],
+    pub shade: [f32; 4],
     pub dt_s: f32,
     pub gravity_blend: f32,
     pub crush_decay: f32,
@@ -82,8 +83,8 @@ pub struct GpuFrame {
     pub ticks: u32,
     pub resting_chunks: u32,
     pub keep_resting: u32,
-    pub reserved_a: u32,
-    pub reserved_b: u32,
+    pub shade_x: f32,
+    pub shade_y: f32,
 }
 
 /// `GpuField` of field.wgsl.
@@ -148,8 +149,13 @@ pub struct GpuView {
     pub cluster_height: [f32; 2],
     pub technique: u32,
     pub least_cluster: f32,
+    pub far_share: f32,
+    pub far_size: f32,
+    pub bands: [f32; 4],
     pub level_scale: f32,
-    pub reserved: u32,
+    pub reserved_a: f32,
+    pub reserved_b: f32,
+    pub reserved_c: f32,
 }
 
 /// `GpuBand` of band.wgsl.
@@ -203,7 +209,7 @@ pub struct GpuCanopy {
     pub tint: [f32; 4],
     pub tint_mean: [f32; 4],
     pub rows: [[f32; 4]; 6],
-    pub surfels: [GpuSurfel; 48],
+    pub surfels: [GpuSurfel; 192],
 }
 
 impl GpuCanopy {

@@ -188,6 +188,7 @@ fn draw_group(
         Sampler(&pictures.sampler),
         bands.as_entire_binding(),
         pictures.canopy.as_entire_binding(),
+        TextureView(&pictures.plant_models),
     ]);
     bindings::group(device, "sward.draw_field", &layouts.draw_field, &resources)
 }
@@ -197,7 +198,7 @@ impl Page {
     pub fn new(
         device: &wgpu::Device,
         layouts: &Layouts,
-        field: &Field,
+        (field, pictures): (&Field, &Pictures),
         species: &[GpuSpecies],
         patch_range: std::ops::Range<usize>,
         model: PhysicsModel,
@@ -243,7 +244,7 @@ impl Page {
                 tinted: !field.tints().is_empty(),
             },
             group: bindings::buffers(device, "sward.field", &layouts.field, &shared),
-            draw_group: draw_group(device, layouts, (&drawn, &bands), &layouts.no_pictures),
+            draw_group: draw_group(device, layouts, (&drawn, &bands), pictures),
             collide: bindings::buffers(
                 device,
                 "sward.collide",

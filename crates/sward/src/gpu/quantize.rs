@@ -1,9 +1,10 @@
 //! Blades, species and patches to their GPU form, and a blade back again.
 
 use super::layout::{GpuPatch, GpuSpecies, MAX_SPECIES};
-use crate::Field;
 use crate::grow::{Blade, Patch};
-use crate::species::{Range, Shape, Species};
+use crate::plants::layers::{LayerRange, PlantLayers};
+use crate::species::{Form, Range, Shape, Species};
+use crate::{Field, Look};
 use bytemuck::Zeroable;
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
@@ -177,21 +178,36 @@ fn root_openness(leaf_area_index: f32) -> f32 {
     (-0.8 * leaf_area_index).exp().clamp(0.12, 0.85)
 }
 
+/// Share of the sky that reaches the roots of a field.
+pub fn field_openness(field: &Field) -> f32 {
+    root_openness(leaf_area_index(field.blades(), field.patches()))
+}
+
+/// What the width is multiplied by at a level, so that the outline keeps its area.
+pub fn area_scale(species: &Species, level: usize) -> f32 {
+    let lost = if level <= 1 { 1.0 } else { folded_width(species.ridge) };
+    lost * outline_area(species.shape, 256) / outline_area(species.shape, SEGMENTS[level])
+}
+
 /// The species table of a field.
-pub fn species_table(field: &Field) -> Vec<GpuSpecies> {
+pub fn species_table(field: &Field, plants: &PlantLayers) -> Vec<GpuSpecies> {
     let leaf_area = leaf_area_index(field.blades(), field.patches());
     let tint = field.tint_mix();
-    let entry = |species| gpu_species(species, leaf_area, tint);
+    let entry = |species| gpu_species(species, plants, leaf_area, tint);
     let mut table: Vec<_> = field.species().iter().map(entry).collect();
     table.resize(MAX_SPECIES, GpuSpecies::zeroed());
     table
 }
 
-/// A species' table entry, in a field of that leaf area index, which takes so much of its surface's
+/// A species' table entry, in a field of those pictures and that leaf area index, which takes so much of its surface's
 /// colour.
-fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies {
+fn gpu_species(
+    species: &Species,
+    plants: &PlantLayers,
+    leaf_area_index: f32,
+    tint: f32,
+) -> GpuSpecies {
     let range = |r: Range| [r.min, r.max - r.min];
-    let full = outline_area(species.shape, 256);
     let (shape, tip) = match species.shape {
         Shape::Quad => (0.0, 0.5),
         Shape::Triangle => (1.0, 0.5),
@@ -200,6 +216,7 @@ fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies
         Shape::Dandelion => (4.0, 0.5),
     };
     let (root, top) = (species.root_color, species.tip_color);
+    let (look, look_values) = species_look(species, plants);
     GpuSpecies {
         height: range(species.height_m),
         width: range(species.width_m),
@@ -210,13 +227,30 @@ fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies
         first_bucket: if has_flat_tip(species) { 4 } else { 0 },
         tint,
         form: [species.ridge, tip, root_openness(leaf_area_index), shape],
-        area_scale: std::array::from_fn(|level| {
-            let lost = if level <= 1 { 1.0 } else { folded_width(species.ridge) };
-            lost * full / outline_area(species.shape, SEGMENTS[level])
-        }),
+        area_scale: std::array::from_fn(|level| area_scale(species, level)),
         colors: [root.from, root.to, top.from, top.to].map(pack_color),
-        look: [species.form.number(), 0, 0, 0],
-        look_values: [0.0; 4],
+        look,
+        look_values,
+    }
+}
+
+/// Set in `look.w` where near plants are drawn as models.
+pub const MODELLED: u32 = 0x100;
+
+/// `look` and `look_values` of a species.
+fn species_look(species: &Species, plants: &PlantLayers) -> ([u32; 4], [f32; 4]) {
+    let form = species.form.number();
+    let LayerRange { first, count } = match species.form.look() {
+        Some(look) => plants.range(look),
+        None => plants.strip(),
+    };
+    match &species.form {
+        Form::Billboard(b) => {
+            let modelled = if matches!(b.look, Look::Plant(_)) { MODELLED } else { 0 };
+            let values = [b.angle_deg.to_radians(), b.wind_turn, b.wind_tint, b.absorption];
+            ([form, first, count, b.quads | modelled], values)
+        }
+        _ => ([form, first, count, 0], [0.0; 4]),
     }
 }
 

@@ -44,16 +44,22 @@ const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
 const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
+const SHADE: &str = part!("frame/light/shade.wgsl");
+const SUNLIGHT: &str = part!("frame/light/sunlight.wgsl");
 const CANOPY: &str = part!("frame/light/canopy.wgsl");
 const END: &str = part!("frame/light/end.wgsl");
-const PICTURES: &str = part!("frame/draw/pictures.wgsl");
 const CLUSTER: &str = part!("frame/draw/cluster.wgsl");
 const PLANT: &str = part!("frame/draw/plant.wgsl");
+const PICTURES: &str = part!("frame/draw/pictures.wgsl");
+const QUADS: &str = part!("frame/draw/quads.wgsl");
+const BILLBOARD: &str = part!("frame/draw/billboard.wgsl");
 const OUTLINE: &str = part!("frame/draw/outline.wgsl");
 const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
 const BLADE_POINT: &str = part!("frame/draw/blade_point.wgsl");
 const DRAW: &str = part!("frame/draw/draw.wgsl");
+const LOOK: &str = part!("frame/draw/look.wgsl");
+const MODEL: &str = part!("frame/draw/model.wgsl");
 
 /// One shader module of the library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,6 +82,10 @@ pub enum Shader {
     DrawLobed,
     /// Clusters.
     DrawCluster,
+    /// Modelled plants.
+    DrawModel,
+    /// Plants as quads.
+    DrawBillboard,
     /// Why each blade is drawn or not, reading a single-sampled depth.
     Explain,
     /// The same, reading a multisampled depth.
@@ -88,7 +98,7 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 15] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -98,6 +108,8 @@ impl Shader {
         Self::Draw,
         Self::DrawLobed,
         Self::DrawCluster,
+        Self::DrawModel,
+        Self::DrawBillboard,
         Self::Explain,
         Self::ExplainMultisampled,
         Self::DrawDebug,
@@ -112,16 +124,28 @@ impl Shader {
             Self::Update | Self::UpdateMultisampled => "sward.update",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
-            Self::Draw | Self::DrawLobed | Self::DrawCluster => "sward.draw",
+            Self::Draw
+            | Self::DrawLobed
+            | Self::DrawCluster
+            | Self::DrawModel
+            | Self::DrawBillboard => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
             Self::DrawDebug | Self::DrawDebugCluster => "sward.debug",
         }
     }
 
     fn parts(self) -> Vec<&'static str> {
-        let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, PLANT, OUTLINE, BLADE_POINT, DRAW].as_slice();
+        let light = [SHADE, SUNLIGHT, LIGHT];
+        let blade =
+            [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
+        let draw = blade.concat();
         let level = [LEVEL, END, FORM, CONTINUUM, STRIPS, BANDS];
-        let cluster = [STATE, BAND, DRAWS, VIEW, LIGHT, CANOPY, PLANT, PICTURES];
+        let plant =
+            [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
+        let plant = plant.concat();
+        let cluster =
+            [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &[CANOPY, PLANT, PICTURES, CLUSTER]];
+        let cluster = cluster.concat();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
         let update = [&motion[..], &level, &[TESTS, DECIDE, UPDATE]].concat();
@@ -133,13 +157,15 @@ impl Shader {
             Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &collide, &update],
             Self::Scan => &[&[BAND, DRAWS, VIEW, SCAN]],
             Self::Compact => &[&[BAND, VIEW, COMPACT]],
-            Self::Draw => &[draw],
-            Self::DrawLobed => &[draw, &[LOBES, LOBED]],
-            Self::DrawCluster => &[&cluster, &level, &[CLUSTER]],
+            Self::Draw => &[&draw],
+            Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
+            Self::DrawBillboard => &[&plant, &[LOOK, QUADS, BILLBOARD]],
+            Self::DrawModel => &[&plant, &[LOOK, MODEL]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
-            Self::DrawDebug => &[draw, &[LOBES, LOBED, DEBUG_COLORS, DEBUG]],
-            Self::DrawDebugCluster => &[&cluster, &level, &[CLUSTER, DEBUG_COLORS, DEBUG_CLUSTER]],
+            Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG_COLORS, DEBUG]],
+            Self::DrawCluster => &[&cluster],
+            Self::DrawDebugCluster => &[&cluster, &[DEBUG_COLORS, DEBUG_CLUSTER]],
         };
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
         [&field[..], &rest.concat()].concat()

@@ -97,6 +97,7 @@ pub fn check_view(view: &View) -> Result<(), Error> {
     if !above_zero(view.detail) || !above_zero(view.culling.max_distance_m) {
         return Err(Error::setting("view", "detail and max_distance_m must be above 0"));
     }
+    view.bands.check()?;
     if let Some(level) = view.level
         && usize::from(level) >= SEGMENTS.len()
     {
@@ -122,6 +123,7 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
     let focal = (clip.y_axis.y.abs() * view.size[1] as f32 * 0.5)
         .max(clip.x_axis.x.abs() * view.size[0] as f32 * 0.5);
     let eye: Vec3 = world_from_view.w_axis.truncate();
+    let bands = view.bands;
     let detail = view.detail.clamp(1e-3, 1e6);
     // A forced level is one of single blades
     let technique = if view.level.is_some() { Technique::Blades } else { view.technique };
@@ -142,7 +144,12 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
         cluster_height: CLUSTER_HEIGHT_PX.map(|px| px / detail),
         technique: technique as u32,
         least_cluster: LEAST_CLUSTER_PX / detail,
+        far_share: bands.far_share,
+        far_size: bands.far_size,
+        bands: [bands.near_m, bands.middle_m, bands.far_m.min(1e30), bands.jitter],
         level_scale: if technique == Technique::Blades { 1.0 } else { FINER_LEVELS },
-        reserved: 0,
+        reserved_a: 0.0,
+        reserved_b: 0.0,
+        reserved_c: 0.0,
     }
 }

@@ -6,6 +6,7 @@ use crate::bake::cover::{Cover, look, sine};
 use crate::bake::stand::{Stand, Stands};
 use crate::gpu::shaders::Shader;
 use crate::gpu::test_device;
+use crate::plants::layers::PlantLayers;
 use crate::{Canopy, Field, FieldDesc, Light, Mesh, Surface, canopy};
 use glam::{UVec2, Vec2, Vec3};
 use wgpu::util::DeviceExt;
@@ -25,7 +26,7 @@ const RUN: &str = "
 fn of_canopy(@builtin(global_invocation_id) id: vec3<u32>) {
     let up = vec3<f32>(0.0, 1.0, 0.0);
     let eye = given[id.x].xyz;
-    found[id.x] = vec4<f32>(canopy_radiance(up, eye, 0.0), canopy_coverage(up, eye));
+    found[id.x] = vec4<f32>(canopy_radiance(up, eye, 0.0, 0.25), canopy_coverage(up, eye));
 }
 
 @compute @workgroup_size(1)
@@ -34,7 +35,7 @@ fn of_blades(@builtin(global_invocation_id) id: vec3<u32>) {
     let albedo = given[3u * id.x + 2u];
     let up = vec3<f32>(0.0, 1.0, 0.0);
     let surface =
-        BladeSurface(albedo.xyz, normal.xyz, up, normal.w, canopy.size.w, albedo.w);
+        BladeSurface(albedo.xyz, normal.xyz, up, normal.w, canopy.size.w, albedo.w, 0.25, 0.0, 0.0);
     found[id.x] = vec4<f32>(shade_blade(surface, given[3u * id.x].xyz), 1.0);
 }
 ";
@@ -120,9 +121,9 @@ fn all_that_shows(stands: &Stands, row: usize, to_eye: Vec3) -> Vec<[f32; 4]> {
         let list = stand.triangles(usize::MAX, true);
         cover = cover.with(look(&stand, &list, 0.4 + 1.7 * i as f32, row));
     }
-    let step = cover.shown.len().div_ceil(3000);
-    let taken = cover.shown.iter().step_by(step);
-    taken
+    cover
+        .shown
+        .iter()
         .flat_map(|s| {
             let n = right * s.normal.x + Vec3::Y * s.normal.y + toward * s.normal.z;
             [to_eye.extend(0.0), n.extend(s.height_share), s.albedo.extend(lean)]
@@ -131,7 +132,7 @@ fn all_that_shows(stands: &Stands, row: usize, to_eye: Vec3) -> Vec<[f32; 4]> {
         .collect()
 }
 
-/// Eight representatives give the mean of the light on all that shows, for suns high and low, before
+/// Few representatives give the mean of the light on all that shows, for suns high and low, before
 /// the eye and behind it.
 #[test]
 fn canopy_light_is_the_mean_of_the_blades() {
@@ -154,7 +155,7 @@ fn canopy_light_is_the_mean_of_the_blades() {
             worst = worst.max(off);
         }
     }
-    assert!(worst < 0.02, "{worst}");
+    assert!(worst < 0.03, "{worst}");
 }
 
 /// `Canopy::coverage` is the shader's.
@@ -231,7 +232,8 @@ fn colors_agree(
         })
     };
     let field = meadow();
-    let mut table = crate::gpu::quantize::species_table(&field);
+    let mut table =
+        crate::gpu::quantize::species_table(&field, &PlantLayers::new(std::iter::empty()));
     table[0].tint = 0.6;
     let packed = crate::gpu::quantize::pack_color([0.3, 0.2, 0.7]);
     let surface = Vec3::from(crate::gpu::quantize::unpack_color(packed));

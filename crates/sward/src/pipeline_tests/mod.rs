@@ -12,6 +12,8 @@ mod handmade;
 mod lobes;
 mod packing;
 mod pages;
+mod plants;
+mod quads;
 mod quantized;
 mod rig;
 mod saved;

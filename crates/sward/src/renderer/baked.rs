@@ -13,13 +13,14 @@ use std::ops::Range;
 #[derive(Debug)]
 pub(super) struct Unbaked {
     stands: Stands,
+    pictures: Pictures,
     pages: Range<usize>,
 }
 
 impl Unbaked {
-    /// A field that is in these pages.
-    pub(super) fn new(field: &Field, pages: Range<usize>) -> Self {
-        Self { stands: Stands::of(field), pages }
+    /// A field that is in these pages, with the pictures of its plants.
+    pub(super) fn new(field: &Field, pictures: Pictures, pages: Range<usize>) -> Self {
+        Self { stands: Stands::of(field), pictures, pages }
     }
 
     fn bake(
@@ -33,12 +34,11 @@ impl Unbaked {
         let canopy = canopy(&self.stands, Some(&clusters));
         let [radius, height, mean_height, _] = canopy.size;
         let size = [mean_height, radius, height, 0.0];
-        let pictures = Pictures {
-            cluster_color: clusters.color.upload(device, encoder, "sward.cluster_color"),
-            cluster_shape: clusters.shape.upload(device, encoder, "sward.cluster_shape"),
-            canopy: Pictures::canopy_buffer(device, &canopy),
-            ..layouts.no_pictures.clone()
-        };
+        let (cluster_color, color) = clusters.color.texture(device, "sward.cluster_color");
+        let (cluster_shape, shape) = clusters.shape.texture(device, "sward.cluster_shape");
+        color.iter().chain(&shape).for_each(|upload| upload.record(encoder));
+        let canopy = Pictures::canopy_buffer(device, &canopy);
+        let pictures = Pictures { cluster_color, cluster_shape, canopy, ..self.pictures };
         for page in pages.get_mut(self.pages).into_iter().flatten() {
             page.set_baked(device, encoder, layouts, size, &pictures);
         }

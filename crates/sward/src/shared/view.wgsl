@@ -30,9 +30,16 @@ struct GpuView {
     technique: u32,
     // Clusters narrower than this many pixels are thinned out and widened to it
     least_cluster: f32,
+    // Of plants far off: share that is kept, and height
+    far_share: f32,
+    far_size: f32,
+    // Where the bands of distance end, metres, and how much a plant's own differ
+    bands: vec4<f32>,
     // Multiplies heights where segments are chosen
     level_scale: f32,
-    reserved: u32,
+    reserved_a: f32,
+    reserved_b: f32,
+    reserved_c: f32,
 }
 
 const BLADES: u32 = 0u;

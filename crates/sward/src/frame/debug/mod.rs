@@ -97,13 +97,14 @@ fn draw_pipelines(
     let blade = |bucket| {
         let mut constants = constants(bucket, targets, false);
         constants.push(("INDICES", Topology::of(bucket).indices().len() as f64));
-        let program = Program { module: &module, vertex: "vs_debug", fragment: "fs_debug" };
+        let program =
+            Program { module: &module, vertex: "vs_debug", fragment: "fs_debug", masked: false };
         pipeline(device, &layout, targets, program, &constants)
     };
     let cluster = |bucket| {
         let constants = form_constants(bucket, targets, false);
         let (vertex, fragment) = ("vs_debug_cluster", "fs_debug_cluster");
-        let program = Program { module: &cluster, vertex, fragment };
+        let program = Program { module: &cluster, vertex, fragment, masked: false };
         pipeline(device, &layout, targets, program, &constants)
     };
     let make = |bucket| match bucket {

@@ -12,14 +12,14 @@ const ALPHA_TEST: f32 = 0.5;
 struct ClusterVertex {
     @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
-    @location(1) @interpolate(flat) light: vec3<f32>,
+    // Light, and the brightness that a grey surface has in the mean
+    @location(1) @interpolate(perspective, centroid) light: vec4<f32>,
     @location(2) @interpolate(flat) haze: f32,
     @location(3) @interpolate(flat) layer: u32,
     @location(4) @interpolate(flat) seed: u32,
-    // The card's frame, and what a white surface shows in the mean
     @location(5) @interpolate(flat) right: vec3<f32>,
     @location(6) @interpolate(flat) up: vec3<f32>,
-    @location(7) @interpolate(flat) to_eye: vec4<f32>,
+    @location(7) @interpolate(flat) to_eye: vec3<f32>,
 }
 
 // The frame of a card: level towards the eye and to the right of it.
@@ -78,18 +78,19 @@ fn brightness(normal: vec3<f32>, up: vec3<f32>, to_eye: vec3<f32>) -> f32 {
     surface.height_share = 1.0;
     surface.root_open = 1.0;
     surface.lean = 0.0;
+    surface.shaded = 0.0;
     return dot(shade_blade(surface, to_eye), vec3<f32>(0.2126, 0.7152, 0.0722));
 }
 
-// Its mean over what shows of the grass from that elevation.
-fn mean_brightness(facing: Facing, up: vec3<f32>, to_eye: vec3<f32>) -> f32 {
+// Its mean over what shows of the grass from that elevation, by a quarter of the representatives.
+fn mean_brightness(facing: Facing, up: vec3<f32>, to_eye: vec3<f32>, corner: u32) -> f32 {
     let row = u32(canopy_row(facing.sine) + 0.5);
     var sum = 0.0;
-    for (var i = 0u; i < CANOPY_SURFELS; i++) {
+    for (var i = corner; i < CANOPY_SURFELS; i += 4u) {
         let surfel = canopy.surfels[row * CANOPY_SURFELS + i];
         let n = surfel.normal;
         let normal = facing.right * n.x + up * n.y + facing.toward * n.z;
-        sum += surfel.weight * brightness(normal, up, to_eye);
+        sum += 4.0 * surfel.weight * brightness(normal, up, to_eye);
     }
     return sum;
 }
@@ -123,16 +124,18 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
     out.uv = vec2<f32>(f32(corner & 1u), f32(corner < 2u));
     let level_sway = sway - blade.up * dot(sway, blade.up);
     let lean = min(length(level_sway), 1.0);
-    out.light = canopy_light(blade.up, to_eye, lean, hash01(blade.id, 52u));
+    let shaded = sun_shade(blade.root);
+    var light = canopy_light(blade.up, to_eye, lean, shaded, hash01(blade.id, 52u), corner);
     if TINTED {
-        out.light *= canopy_tint(unpack_color(tints[listed.index]));
+        light *= canopy_tint(unpack_color(tints[listed.index]));
     }
+    out.light = vec4<f32>(light, mean_brightness(facing, blade.up, to_eye, corner));
     out.haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
     out.layer = picture_of(blade.id, facing);
     out.seed = hash_u32(blade.id);
     out.right = facing.right;
     out.up = blade.up;
-    out.to_eye = vec4<f32>(to_eye, mean_brightness(facing, blade.up, to_eye));
+    out.to_eye = to_eye;
     return out;
 }
 
@@ -170,7 +173,7 @@ fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
     }
     let n = textureSample(cluster_shape, picture_sampler, in.uv, in.layer).xyz * 2.0 - 1.0;
     let normal = in.right * n.x + in.up * n.y + cross(in.right, in.up) * n.z;
-    let own = brightness(unit_or(normal, in.up), in.up, in.to_eye.xyz);
-    let color = texel.rgb * texel.rgb * in.light * (own / max(in.to_eye.w, 1e-4));
+    let own = brightness(unit_or(normal, in.up), in.up, in.to_eye);
+    let color = texel.rgb * texel.rgb * in.light.rgb * (own / max(in.light.w, 1e-4));
     return ClusterPixel(vec4<f32>(mix(color, frame.haze.rgb, in.haze), 1.0), samples);
 }

@@ -5,12 +5,12 @@
 // Elevations of view: their sines are 1/32, 1/16, .. 1
 const CANOPY_ROWS: u32 = 6u;
 // Representatives an elevation
-const CANOPY_SURFELS: u32 = 8u;
+const CANOPY_SURFELS: u32 = 32u;
 
 struct GpuSurfel {
-    // Mean of unit normals on the eye's side: x to the right, y up, z level towards the eye
+    // On the eye's side: x to the right, y up, z level towards the eye
     normal: vec3<f32>,
-    // Share of what shows; they sum to one
+    // Share of what shows: one over their number, or 0 where there is no grass
     weight: f32,
     albedo: vec3<f32>,
     // 0 root, 1 tip
@@ -30,7 +30,7 @@ struct GpuCanopy {
     // By elevation: mean of the albedo in the canopy's own shade, and share of the ground that shows
     // none of it
     rows: array<vec4<f32>, 6>,
-    surfels: array<GpuSurfel, 48>,
+    surfels: array<GpuSurfel, 192>,
 }
 
 // Which elevation, 0 to 5, from the sine of the angle between the ray and the ground.
@@ -38,9 +38,18 @@ fn canopy_row(sine: f32) -> f32 {
     return clamp(5.0 + log2(max(abs(sine), 0.001)), 0.0, 5.0);
 }
 
-// Radiance of what shows of the grass at one elevation. `lean` is how far wind bends it over on the
-// whole, 0 to 1.
-fn canopy_row_radiance(row: u32, up: vec3<f32>, to_eye: vec3<f32>, lean: f32) -> vec3<f32> {
+// Radiance of what shows of the grass at one elevation, by every so-many-th representative. `lean` is
+// how far wind bends the grass over on the whole, 0 to 1; `shaded` the share of the sun that something
+// keeps away.
+fn canopy_part_radiance(
+    row: u32,
+    first: u32,
+    step: u32,
+    up: vec3<f32>,
+    to_eye: vec3<f32>,
+    lean: f32,
+    shaded: f32,
+) -> vec3<f32> {
     let level = to_eye - up * dot(to_eye, up);
     let square = dot(level, level);
     // Straight from above any direction will do
@@ -51,9 +60,10 @@ fn canopy_row_radiance(row: u32, up: vec3<f32>, to_eye: vec3<f32>, lean: f32) ->
     var surface: BladeSurface;
     surface.up = up;
     surface.root_open = canopy.size.w;
+    surface.shaded = shaded;
     surface.lean = min(sqrt(canopy.pose.x * canopy.pose.x + lean * lean), 1.0);
     var sum = vec3<f32>(0.0);
-    for (var i = 0u; i < CANOPY_SURFELS; i++) {
+    for (var i = first; i < CANOPY_SURFELS; i += step) {
         let index = row * CANOPY_SURFELS + i;
         let n = canopy.surfels[index].normal;
         surface.normal = right * n.x + up * n.y + toward * n.z;
@@ -61,26 +71,39 @@ fn canopy_row_radiance(row: u32, up: vec3<f32>, to_eye: vec3<f32>, lean: f32) ->
         surface.height_share = canopy.surfels[index].height_share;
         sum += canopy.surfels[index].weight * shade_blade(surface, to_eye);
     }
-    return sum;
+    return sum * f32(step);
+}
+
+fn canopy_row_radiance(row: u32, up: vec3<f32>, to_eye: vec3<f32>, lean: f32, shaded: f32)
+    -> vec3<f32> {
+    return canopy_part_radiance(row, 0u, 1u, up, to_eye, lean, shaded);
 }
 
 // Mean radiance of the grass, seen from `to_eye`.
-fn canopy_radiance(up: vec3<f32>, to_eye: vec3<f32>, lean: f32) -> vec3<f32> {
+fn canopy_radiance(up: vec3<f32>, to_eye: vec3<f32>, lean: f32, shaded: f32) -> vec3<f32> {
     let row = canopy_row(dot(up, to_eye));
     let low = min(u32(row), CANOPY_ROWS - 2u);
     return mix(
-        canopy_row_radiance(low, up, to_eye, lean),
-        canopy_row_radiance(low + 1u, up, to_eye, lean),
+        canopy_row_radiance(low, up, to_eye, lean, shaded),
+        canopy_row_radiance(low + 1u, up, to_eye, lean, shaded),
         row - f32(low),
     );
 }
 
 // What a texel of a cluster's picture is multiplied by, so that the mean over what shows is the
-// canopy's radiance. `dither`, 0 to 1, picks one of the two elevations next to the view's.
-fn canopy_light(up: vec3<f32>, to_eye: vec3<f32>, lean: f32, dither: f32) -> vec3<f32> {
+// canopy's radiance. `dither`, 0 to 1, picks one of the two elevations next to the view's. Of a
+// card's four corners each takes a quarter of the representatives; between them lies their mean.
+fn canopy_light(
+    up: vec3<f32>,
+    to_eye: vec3<f32>,
+    lean: f32,
+    shaded: f32,
+    dither: f32,
+    corner: u32,
+) -> vec3<f32> {
     let row = u32(clamp(canopy_row(dot(up, to_eye)) + dither, 0.0, 5.0));
     let mean = max(canopy.rows[row].rgb, vec3<f32>(1e-4));
-    return canopy_row_radiance(row, up, to_eye, lean) / mean;
+    return canopy_part_radiance(row, corner & 3u, 4u, up, to_eye, lean, shaded) / mean;
 }
 
 // Share of the ground that the grass hides, seen from `to_eye`.
