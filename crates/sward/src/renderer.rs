@@ -17,12 +17,14 @@ use crate::gpu::view::{check_view, gpu_view};
 use crate::plants::layers::PlantLayers;
 use crate::{Error, Field, Frame, PhysicsModel, Statistics, Technique, View};
 
+mod baked;
 mod clock;
 mod debugging;
 mod inputs;
 mod layouts;
 mod saved;
 
+use baked::Unbaked;
 use clock::Clock;
 use inputs::Inputs;
 pub(crate) use layouts::Layouts;
@@ -92,6 +94,7 @@ pub struct Renderer {
     clock: Clock,
     model: PhysicsModel,
     pages: Vec<Page>,
+    unbaked: Vec<Unbaked>,
     totals: Statistics,
     read_back: ReadBack,
     /// Content of pictures that the next frame sends.
@@ -119,6 +122,7 @@ impl Renderer {
             clock: Clock::default(),
             model: PhysicsModel::default(),
             pages: Vec::new(),
+            unbaked: Vec::new(),
             totals: Statistics::default(),
             read_back: ReadBack::default(),
             uploads: Vec::new(),
@@ -152,6 +156,7 @@ impl Renderer {
         let patches_a_page = (limits::page_blades(&available, field.patch_size())
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
+        let first_page = self.pages.len();
         let plants = PlantLayers::new(field.species().iter().filter_map(|s| s.form.look()));
         plants.check(&available)?;
         let species = species_table(field, &plants);
@@ -170,6 +175,10 @@ impl Renderer {
                 ticks,
             );
             self.pages.push(page);
+        }
+        if count > 0 {
+            let pages = first_page..self.pages.len();
+            self.unbaked.push(Unbaked::new(field, pictures, pages));
         }
         self.inputs.forget_lists();
         self.totals.blades += count;
@@ -270,6 +279,7 @@ impl Renderer {
     ) -> Result<(), Error> {
         check_view(view)?;
         self.send_pictures(encoder);
+        self.bake(device, encoder, view.technique);
         for page in 0..self.pages.len() {
             // Views are numbered without gaps
             for earlier in self.pages[page].views.len()..index {
@@ -387,6 +397,7 @@ impl Renderer {
     /// Forgets every field.
     pub(crate) fn clear(&mut self) {
         self.pages.clear();
+        self.unbaked.clear();
         self.totals = Statistics::default();
     }
 }

@@ -1,6 +1,6 @@
 //! Which draw lists the plants of a page may be in.
 
-use super::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET};
+use super::layout::{BILLBOARD_BUCKETS, BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET};
 use super::quantize::has_flat_tip;
 use crate::{Form, Look, Species, Technique};
 
@@ -13,7 +13,8 @@ impl Buckets {
     pub fn of(species: &[Species], technique: Technique) -> Self {
         match technique {
             Technique::Blades | Technique::Strips => Self::blades(species.iter()),
-            Technique::Billboards | Technique::Continuum => Self::bands(species),
+            Technique::Billboards => Self::bands(species),
+            Technique::Continuum => Self(Self::bands(species).0 | 1 << CLUSTER_BUCKET),
         }
     }
 
@@ -33,11 +34,6 @@ impl Buckets {
         let quads = if any_quads { 1 << middle | 1 << far } else { 0 };
         let models = if species.iter().any(modelled) { 1 << MODEL_BUCKET } else { 0 };
         Self(blades.0 | quads | models)
-    }
-
-    /// Of these, those of single blades.
-    pub fn blades_only(self) -> Self {
-        Self(self.0 & ((1 << BLADE_BUCKETS) - 1))
     }
 
     /// In order.

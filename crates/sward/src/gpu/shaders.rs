@@ -37,6 +37,8 @@ const STRIPS: &str = part!("frame/level/strips.wgsl");
 const BANDS: &str = part!("frame/level/bands.wgsl");
 const DECIDE: &str = part!("frame/update/decide.wgsl");
 const EXPLAIN: &str = part!("frame/debug/explain.wgsl");
+const DEBUG_COLORS: &str = part!("frame/debug/colors.wgsl");
+const DEBUG_CLUSTER: &str = part!("frame/debug/cluster.wgsl");
 const DEBUG: &str = part!("frame/debug/debug.wgsl");
 const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
@@ -44,6 +46,9 @@ const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
 const SHADE: &str = part!("frame/light/shade.wgsl");
 const SUNLIGHT: &str = part!("frame/light/sunlight.wgsl");
+const CANOPY: &str = part!("frame/light/canopy.wgsl");
+const END: &str = part!("frame/light/end.wgsl");
+const CLUSTER: &str = part!("frame/draw/cluster.wgsl");
 const PLANT: &str = part!("frame/draw/plant.wgsl");
 const PICTURES: &str = part!("frame/draw/pictures.wgsl");
 const QUADS: &str = part!("frame/draw/quads.wgsl");
@@ -75,6 +80,8 @@ pub enum Shader {
     Draw,
     /// Blades with lobes.
     DrawLobed,
+    /// Clusters.
+    DrawCluster,
     /// Modelled plants.
     DrawModel,
     /// Plants as quads.
@@ -85,11 +92,13 @@ pub enum Shader {
     ExplainMultisampled,
     /// Blades as a debug view shows them.
     DrawDebug,
+    /// Clusters likewise.
+    DrawDebugCluster,
 }
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 15] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -98,11 +107,13 @@ impl Shader {
         Self::Compact,
         Self::Draw,
         Self::DrawLobed,
+        Self::DrawCluster,
         Self::DrawModel,
         Self::DrawBillboard,
         Self::Explain,
         Self::ExplainMultisampled,
         Self::DrawDebug,
+        Self::DrawDebugCluster,
     ];
 
     /// Label in debuggers: `sward.` and the stage's stem.
@@ -113,9 +124,13 @@ impl Shader {
             Self::Update | Self::UpdateMultisampled => "sward.update",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
-            Self::Draw | Self::DrawLobed | Self::DrawModel | Self::DrawBillboard => "sward.draw",
+            Self::Draw
+            | Self::DrawLobed
+            | Self::DrawCluster
+            | Self::DrawModel
+            | Self::DrawBillboard => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
-            Self::DrawDebug => "sward.debug",
+            Self::DrawDebug | Self::DrawDebugCluster => "sward.debug",
         }
     }
 
@@ -124,10 +139,13 @@ impl Shader {
         let blade =
             [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
         let draw = blade.concat();
-        let level = [LEVEL, FORM, CONTINUUM, STRIPS, BANDS];
+        let level = [LEVEL, END, FORM, CONTINUUM, STRIPS, BANDS];
         let plant =
             [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
         let plant = plant.concat();
+        let cluster =
+            [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &[CANOPY, PLANT, PICTURES, CLUSTER]];
+        let cluster = cluster.concat();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
         let update = [&motion[..], &level, &[TESTS, DECIDE, UPDATE]].concat();
@@ -145,7 +163,9 @@ impl Shader {
             Self::DrawModel => &[&plant, &[LOOK, MODEL]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
-            Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG]],
+            Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG_COLORS, DEBUG]],
+            Self::DrawCluster => &[&cluster],
+            Self::DrawDebugCluster => &[&cluster, &[DEBUG_COLORS, DEBUG_CLUSTER]],
         };
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
         [&field[..], &rest.concat()].concat()
