@@ -7,6 +7,7 @@ use super::view;
 use crate::frame::collide::primitive::{self, GpuPrimitive};
 use crate::frame::debug::{CORNER_STRIDE, GpuDebug};
 use crate::frame::draw::topology::BLADES_PER_INSTANCE;
+use crate::frame::sweep::plan::GpuSweep;
 use crate::frame::wind::GpuWindSource;
 use std::mem::{offset_of, size_of};
 
@@ -114,6 +115,21 @@ fn structs() -> Vec<Expected> {
         }),
         expected!(GpuBlock { buckets, counted }),
         expected!(GpuDraw { start, count, dropped, reserved }),
+        expected!(GpuSweep {
+            origin,
+            cell,
+            columns,
+            rows,
+            low,
+            high,
+            margin,
+            far_value,
+            push,
+            method,
+            reserved_a,
+            reserved_b,
+            reserved_c,
+        }),
         expected!(GpuDebug { mode, reserved_a, reserved_b, reserved_c, palette }),
     ]
 }

@@ -42,6 +42,9 @@ const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
 const BLADE_POINT: &str = part!("frame/draw/blade_point.wgsl");
 const DRAW: &str = part!("frame/draw/draw.wgsl");
+const SWEEP: &str = part!("frame/sweep/sweep.wgsl");
+const SWEEP_COLUMNS: &str = part!("frame/sweep/columns.wgsl");
+const SWEEP_TERRAIN: &str = part!("frame/sweep/terrain.wgsl");
 
 /// One shader module of the library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,11 +71,15 @@ pub enum Shader {
     ExplainMultisampled,
     /// Blades as a debug view shows them.
     DrawDebug,
+    /// Rows of cells that a view may see.
+    SweepColumns,
+    /// Cells and triangles of a terrain that a view may see.
+    SweepTerrain,
 }
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -84,6 +91,8 @@ impl Shader {
         Self::Explain,
         Self::ExplainMultisampled,
         Self::DrawDebug,
+        Self::SweepColumns,
+        Self::SweepTerrain,
     ];
 
     /// Label in debuggers: `sward.` and the stage's stem.
@@ -97,6 +106,7 @@ impl Shader {
             Self::Draw | Self::DrawLobed => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
             Self::DrawDebug => "sward.debug",
+            Self::SweepColumns | Self::SweepTerrain => "sward.sweep",
         }
     }
 
@@ -118,6 +128,9 @@ impl Shader {
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
             Self::DrawDebug => &[draw, &[LOBES, LOBED, DEBUG]],
+            // These know the ground and a view, and no field
+            Self::SweepColumns => return vec![VIEW, SWEEP, SWEEP_COLUMNS],
+            Self::SweepTerrain => return vec![VIEW, SWEEP, SWEEP_TERRAIN],
         };
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
         [&field[..], &rest.concat()].concat()
