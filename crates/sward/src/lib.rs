@@ -76,6 +76,8 @@
 //! and encoding by the host. The strength of wind is relative: 0.4 is a breeze, 1.2 a strong gust,
 //! for turf and reed alike.
 
+#[allow(dead_code)]
+mod bake;
 pub mod collider;
 pub mod color_map;
 pub mod debug;
@@ -84,6 +86,7 @@ pub mod field;
 pub mod frame;
 mod gpu;
 pub mod grow;
+pub mod plants;
 pub mod renderer;
 pub mod shared;
 pub mod simulation;
@@ -102,9 +105,12 @@ pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
 pub use frame::sweep::plan::{GroundCorner, SweepMethod, ground_corners};
 pub use frame::sweep::terrain::Sweep;
-pub use frame::wind::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindSource};
+pub use frame::wind::{
+    Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindMap, WindSource, WindTexture,
+};
 pub use grow::obstacles::Obstacle;
 pub use grow::surface::{Mesh, Surface};
+pub use plants::{Look, Picture, Plant};
 pub use renderer::{Renderer, Stage, Targets};
 pub use simulation::{Frame, Gravity, Light, PhysicsModel, Sphere};
 pub use solid::{PackDesc, Packing, Solid};

@@ -182,7 +182,7 @@ impl Renderer {
         }
         self.clock.advance(frame.dt_s);
         let chunks = self.inputs.write(device, encoder, &self.layouts, frame, &lists, &self.clock);
-        self.update.set_wind(device, &self.layouts, frame.wind.is_placed());
+        self.update.set_wind(device, &self.layouts, frame.wind.is_rare());
         if !chunks.listed {
             self.wake_touched(device, encoder);
         }

@@ -1,7 +1,7 @@
 //! Cosines, rotors, vortices and fans: what a person who stands there would feel.
 
 use glam::{Vec2, Vec3, vec3};
-use sward::{Cosine, Error, Fan, Rotor, Vortex, Wind, WindSource};
+use sward::{Cosine, Error, Fan, Rotor, Vortex, Wind, WindMap, WindSource, WindTexture};
 
 fn wind(source: WindSource) -> Wind {
     Wind::new(vec![source]).expect("valid")
@@ -18,6 +18,15 @@ fn steady_vortex() -> Vortex {
 
 fn steady_fan() -> Fan {
     Fan { turbulence: 0.0, ..Fan::default() }
+}
+
+/// A map with one gust across its middle row, which turns to the right: 4 texels of 5 m.
+fn gust_map() -> WindTexture {
+    let mut winds = vec![[0.0, 0.0]; 16];
+    (0..4).for_each(|column| winds[4 + column] = [1.0, 0.5]);
+    winds[4] = [0.2, -0.5];
+    let map = WindMap::new(4, 4, winds).expect("a map").into();
+    WindTexture { map, size_m: 20.0, strength: 2.0, speed_mps: 2.5, direction: Vec2::Y }
 }
 
 fn moving() -> [WindSource; 3] {
@@ -55,11 +64,76 @@ fn bad_settings_are_refused_by_name() {
     let v = Vortex::default();
     assert_eq!(vortex(Vortex { strength: -1.0, ..v }), "wind[0].strength");
     assert_eq!(vortex(Vortex { inflow: f32::INFINITY, ..v }), "wind[0].inflow");
+    let texture = |t| refused(WindSource::Texture(t));
+    assert_eq!(texture(WindTexture { size_m: 0.0, ..gust_map() }), "wind[0].size_m");
+    assert_eq!(texture(WindTexture { direction: Vec2::NAN, ..gust_map() }), "wind[0].direction");
+    assert_eq!(texture(WindTexture { strength: -0.1, ..gust_map() }), "wind[0].strength");
     let fan = |f| refused(WindSource::Fan(f));
     let f = Fan::default();
     assert_eq!(fan(Fan { direction: Vec3::ZERO, ..f }), "wind[0].direction");
     assert_eq!(fan(Fan { half_angle_deg: 90.0, ..f }), "wind[0].half_angle_deg");
     assert_eq!(fan(Fan { turbulence: 2.0, ..f }), "wind[0].turbulence");
+}
+
+#[test]
+fn a_map_blows_along_and_across_and_repeats() {
+    let wind = wind(WindSource::Texture(gust_map()));
+    // Direction z: columns run along z, rows across it, which seen from above is towards -x.
+    let at = |along: f32, across: f32| wind.strength_at(vec3(-across, 0.3, along), 0.0);
+    let middle = at(7.5, 7.5);
+    assert!(middle.distance(vec3(-1.0, 0.0, 2.0)) < 1e-6, "{middle}");
+    assert!(at(2.5, 7.5).distance(vec3(1.0, 0.0, 0.4)) < 1e-6);
+    assert!(at(5.0, 7.5).distance(vec3(0.0, 0.0, 1.2)) < 1e-6, "straight between two texels");
+    assert_eq!(at(7.5, 12.5), Vec3::ZERO);
+    for (tile_along, tile_across) in [(1.0, 0.0), (-2.0, 1.0), (40.0, -7.0)] {
+        let again = at(7.5 + 20.0 * tile_along, 7.5 + 20.0 * tile_across);
+        assert!(again.distance(middle) < 1e-3, "{again}");
+    }
+}
+
+#[test]
+fn a_map_drifts_along_its_direction() {
+    let mut wind = wind(WindSource::Texture(gust_map()));
+    let at = |wind: &Wind, along: f32, ago: f32| wind.strength_at(vec3(-7.5, 0.0, along), ago);
+    let before = at(&wind, 2.5, 0.0);
+    wind.advance(2.0);
+    assert!(at(&wind, 7.5, 0.0).distance(before) < 1e-5, "5 m on");
+    assert!(at(&wind, 2.5, 2.0).distance(before) < 1e-5, "the past");
+    wind.advance(6.0 + 8.0 * 1e6);
+    assert!(at(&wind, 2.5, 0.0).distance(before) < 1e-3, "a tile has passed");
+}
+
+#[test]
+fn noise_maps_have_no_seam_and_depend_on_their_seed() {
+    let map = WindMap::noise(4, 1);
+    assert_eq!(map, WindMap::noise(4, 1));
+    assert_ne!(map, WindMap::noise(4, 2));
+    let (width, height) = (map.width() as usize, map.height() as usize);
+    let wind = |x: usize, y: usize| Vec2::from(map.winds()[(y % height) * width + x % width]);
+    let step =
+        |(x, y, dx, dy): (usize, usize, usize, usize)| wind(x, y).distance(wind(x + dx, y + dy));
+    let inside = (0..width - 1).flat_map(|x| (0..height - 1).map(move |y| (x, y)));
+    let most = inside.map(|(x, y)| step((x, y, 1, 0)).max(step((x, y, 0, 1)))).fold(0.0, f32::max);
+    for i in 0..width {
+        assert!(step((width - 1, i, 1, 0)) <= most && step((i, height - 1, 0, 1)) <= most);
+    }
+    assert!(most < 0.2, "{most}");
+    let strong = map.winds().iter().filter(|w| w[0] > 0.8).count();
+    let weak = map.winds().iter().filter(|w| w[0] < 0.2).count();
+    assert!(strong > 2_000 && weak > 2_000, "{strong} {weak}");
+}
+
+#[test]
+fn bad_maps_are_refused() {
+    let refused = |width, height, winds| match WindMap::new(width, height, winds) {
+        Err(Error::Setting { setting, cause }) => format!("{setting}: {cause}"),
+        other => panic!("should be refused: {other:?}"),
+    };
+    assert!(refused(0, 4, vec![]).contains("sides must be 1 to 2048"));
+    assert!(refused(2049, 1, vec![[0.0; 2]; 2049]).contains("2049 x 1"));
+    assert!(refused(2, 2, vec![[0.0; 2]; 3]).contains("but 3 winds"));
+    assert!(refused(1, 1, vec![[f32::NAN, 0.0]]).contains("wind 0 is"));
+    assert!(refused(1, 1, vec![[0.0, -1.5]]).contains("use -1 to 1"));
 }
 
 #[test]

@@ -92,7 +92,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
     let cameras =
         views::cameras(file, &placed, &hosts).map_err(|problem| context.error(problem))?;
     let spheres = views::spheres(file, &placed).map_err(|problem| context.error(problem))?;
-    let wind = wind::sources(file, &placed).map_err(|problem| context.error(problem))?;
+    let wind = wind::sources(context, file, &placed)?;
     let bodies = crate::bodies::groups(file, &placed).map_err(|problem| context.error(problem))?;
     let mut descs = fields::descriptions(context, file)?;
     for (desc, host) in descs.iter_mut().zip(&hosts) {

@@ -72,7 +72,8 @@ mod tests {
     /// What a scene takes the library takes too, at both ends of every range and by default.
     #[test]
     fn the_library_takes_what_a_scene_may_say() {
-        let text = "Waves(), Gusts(), Cosine(), Rotor(), Vortex(), Fan(),
+        let text = "Waves(), Gusts(), Cosine(), Rotor(), Vortex(), Fan(), Texture(),
+            Texture(gusts: 64, size_m: 0.01, speed_mps: -100, strength: 20, direction: (0, 1e-6)),
             Cosine(wavelength_m: inf, period_s: 0.01, strength: 20),
             Rotor(radius_m: 0.01, range_m: 10000, rpm: -10000, blades: 16, speed_mps: 0.01),
             Rotor(radius_m: 1000, downwash: 4, swirl: -4, path: [(0, 0, 0, 0), (0.001, 100000, 0, 0)]),

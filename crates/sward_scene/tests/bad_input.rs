@@ -117,6 +117,9 @@ fn scene_values_out_of_range_name_their_key() {
             "wind: [Rotor(path: [(1, 0, 9, 0), (1, 1, 9, 0)])]",
             "wind[0].path[1]: time 1 must be after",
         ),
+        ("wind: [Texture(gusts: 65)]", "wind[0].gusts: 65"),
+        ("wind: [Texture(size_m: 0)]", "wind[0].size_m: 0"),
+        ("wind: [Texture(file: \"w.png\", seed: 2)]", "wind[0].file: give `file`, or `gusts`"),
         ("wind: [Vortex(range_m: -3)]", "wind[0].range_m: -3"),
         ("wind: [Vortex(path: [])]", "wind[0].path: is empty"),
         ("wind: [Fan(direction: (0, 0, 0))]", "wind[0].direction"),
@@ -202,6 +205,7 @@ fn missing_files_are_named() {
         (r#"(fields: [(on: File("b.stl"))])"#, "b.stl: '.stl' is no mesh format"),
         (HILLS, "h.png: no such file"),
         (r#"(fields: [(on: Plane(), density_map: Texture("d.png"))])"#, "d.png: no such file"),
+        (r#"(fields: [(on: Plane())], wind: [Texture(file: "w.png")])"#, "w.png: no such file"),
         (r#"(fields: [(on: Object("hill"))])"#, "fields[0].on: no object 'hill' before this"),
     ];
     for (text, expected) in cases {
@@ -248,6 +252,32 @@ fn broken_images_are_named() {
     let color = image::DynamicImage::new_rgb8(4, 4);
     color.save_with_format(folder.0.join("h.png"), image::ImageFormat::Png).expect("saved");
     assert!(folder.error(HILLS).contains("colour image"));
+}
+
+#[test]
+fn wind_maps_are_read_and_broken_ones_named() {
+    const SCENE: &str = r#"(fields: [(on: Plane())], wind: [Texture(file: "w.png", strength: 1)])"#;
+    let folder = Folder::new("winds");
+    folder.write("w.png", &png(3000, 2, false));
+    assert!(
+        folder.error(SCENE).contains("w.png: 3000 x 2 pixels: a map of winds has at most 2048")
+    );
+    folder.write("w.png", b"wind");
+    assert!(folder.error(SCENE).contains("w.png: is no PNG or JPEG"));
+    let winds = |folder: &Folder| match &folder.parse(SCENE).expect("a scene").wind[0].source {
+        sward::WindSource::Texture(texture) => texture.map.winds().to_vec(),
+        other => panic!("{other:?}"),
+    };
+    for sixteen in [false, true] {
+        folder.write("w.png", &png(9, 7, sixteen));
+        let winds = winds(&folder);
+        assert!(winds.len() == 63 && winds.iter().all(|w| w[1] == 0.0));
+        assert!((winds[10][0] - 20.0 / 255.0).abs() < 1e-4, "{:?}", winds[10]);
+    }
+    let mut color = image::RgbImage::new(2, 1);
+    color.put_pixel(0, 0, image::Rgb([255, 0, 128]));
+    color.save(folder.0.join("w.png")).expect("saved");
+    assert_eq!(winds(&folder), [[1.0, -1.0], [-1.0, -1.0]]);
 }
 
 #[test]

@@ -11,6 +11,8 @@ pub enum Kind {
     Read,
     /// Storage buffer that is written.
     Write,
+    /// Texture that is read texel by texel.
+    Texels,
     /// Depth texture.
     Depth {
         /// Whether it has several samples a pixel.
@@ -26,6 +28,11 @@ impl Kind {
             Self::Uniform => buffer(BufferBindingType::Uniform),
             Self::Read => buffer(BufferBindingType::Storage { read_only: true }),
             Self::Write => buffer(BufferBindingType::Storage { read_only: false }),
+            Self::Texels => BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                view_dimension: wgpu::TextureViewDimension::D2,
+                multisampled: false,
+            },
             Self::Depth { multisampled } => BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Depth,
                 view_dimension: wgpu::TextureViewDimension::D2,

@@ -21,6 +21,7 @@ const WIND: &str = part!("frame/wind/wind.wgsl");
 const PRIMITIVE: &str = part!("frame/collide/primitive.wgsl");
 const NEAR: &str = part!("frame/collide/near.wgsl");
 const CUBOID: &str = part!("frame/collide/cuboid.wgsl");
+const WIND_TEXTURED: &str = part!("frame/wind/textured.wgsl");
 const WIND_PLACED: &str = part!("frame/wind/placed.wgsl");
 const CONTACT: &str = part!("frame/collide/contact.wgsl");
 const COLLIDE: &str = part!("frame/collide/collide.wgsl");
@@ -113,8 +114,20 @@ impl Shader {
     fn parts(self) -> Vec<&'static str> {
         let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW].as_slice();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
-        let update =
-            [STATE, BAND, VIEW, LEVEL, WIND, WIND_PLACED, PHYSICS, PAPER, TESTS, DECIDE, UPDATE];
+        let update = [
+            STATE,
+            BAND,
+            VIEW,
+            LEVEL,
+            WIND,
+            WIND_PLACED,
+            WIND_TEXTURED,
+            PHYSICS,
+            PAPER,
+            TESTS,
+            DECIDE,
+            UPDATE,
+        ];
         let explain = [STATE, BAND, VIEW, LEVEL, TESTS, DECIDE, PATCH, EXPLAIN];
         let rest: &[&[&str]] = match self {
             Self::Collide => &[&[PRIMITIVE, COLLIDE]],

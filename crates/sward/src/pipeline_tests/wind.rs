@@ -1,11 +1,12 @@
 //! `wind_at` of the shipped shader against its reference, for every kind of source.
 
 use super::rig::shared;
+use crate::frame::wind::atlas::WindAtlas;
 use crate::gpu::layout::{GpuFrame, MAX_WIND_SOURCES};
 use crate::gpu::shaders::Shader;
 use crate::gpu::test_device::read;
 use crate::shared::noise_twin::hash01;
-use crate::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindSource};
+use crate::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindMap, WindSource, WindTexture};
 use glam::{Vec3, vec2, vec3};
 use wgpu::util::DeviceExt;
 
@@ -45,10 +46,10 @@ fn on_gpu(winds: &[Wind], asked: &[[f32; 4]]) -> Vec<Vec<Vec3>> {
         compilation_options: Default::default(),
         cache: None,
     });
-    let group = |index: u32, buffers: &[&wgpu::Buffer]| {
-        let entries = (0..).zip(buffers).map(|(binding, buffer)| wgpu::BindGroupEntry {
-            binding,
-            resource: buffer.as_entire_binding(),
+    let group = |index: u32, bindings: &[(u32, wgpu::BindingResource)]| {
+        let entries = bindings.iter().map(|(binding, resource)| wgpu::BindGroupEntry {
+            binding: *binding,
+            resource: resource.clone(),
         });
         let entries: Vec<_> = entries.collect();
         let layout = &pipeline.get_bind_group_layout(index);
@@ -69,10 +70,15 @@ fn on_gpu(winds: &[Wind], asked: &[[f32; 4]]) -> Vec<Vec<Vec3>> {
         let frame = buffer(&device, bytemuck::bytes_of(&frame), uniform);
         let sources = buffer(&device, bytemuck::cast_slice(&sources), uniform);
         let mut encoder = device.create_command_encoder(&Default::default());
+        let mut maps = WindAtlas::new(&device);
+        maps.write(&device, &mut encoder, &wind.sources);
+        let maps = wgpu::BindingResource::TextureView(maps.view());
+        let (frame, sources) = (frame.as_entire_binding(), sources.as_entire_binding());
+        let lists = [(0, places.as_entire_binding()), (1, told.as_entire_binding())];
         let mut pass = encoder.begin_compute_pass(&Default::default());
         pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &group(0, &[&frame, &sources]), &[]);
-        pass.set_bind_group(3, &group(3, &[&places, &told]), &[]);
+        pass.set_bind_group(0, &group(0, &[(0, frame), (1, sources), (3, maps)]), &[]);
+        pass.set_bind_group(3, &group(3, &lists), &[]);
         pass.dispatch_workgroups(asked.len().div_ceil(64) as u32, 1, 1);
         drop(pass);
         queue.submit([encoder.finish()]);
@@ -80,6 +86,15 @@ fn on_gpu(winds: &[Wind], asked: &[[f32; 4]]) -> Vec<Vec<Vec3>> {
         told.into_iter().map(|[x, y, z, _]| vec3(x, y, z)).collect()
     };
     winds.iter().map(ask).collect()
+}
+
+fn texture(map: WindMap, speed_mps: f32) -> WindSource {
+    let (direction, map) = (vec2(-0.4, 1.0), std::sync::Arc::new(map));
+    WindSource::Texture(WindTexture { direction, map, speed_mps, size_m: 17.0, strength: 1.3 })
+}
+
+fn small(i: u32) -> [f32; 2] {
+    [hash01(i, 1), hash01(i, 2) - 0.5]
 }
 
 /// Two of each kind, with unequal settings, some of them moving.
@@ -99,6 +114,9 @@ fn sources() -> Vec<WindSource> {
         WindSource::Vortex(Vortex { radius_m: 0.5, turbulence: 1.0, seed, ..Vortex::default() }),
         WindSource::Fan(Fan { position: vec3(-9.0, 2.0, 0.0), range_m: 40.0, ..fan }),
         WindSource::Fan(Fan { direction: Vec3::NEG_Y, turbulence: 0.0, ..Fan::default() }),
+        texture(WindMap::noise(3, 5), -4.0),
+        // As narrow as can be, and of another size: the rows of the second map come after the first's
+        texture(WindMap::new(3, 5, (0..15).map(small).collect()).expect("a map"), 3.0),
     ]
 }
 

@@ -5,6 +5,7 @@ use super::layouts::Layouts;
 use crate::frame::collide::expand::{Expanded, expand};
 use crate::frame::collide::upload::{self, ChunkBuffer, ChunkCounts};
 use crate::frame::wind::GpuWindSource;
+use crate::frame::wind::atlas::{self, WindAtlas};
 use crate::gpu::layout::{GpuFrame, MAX_WIND_SOURCES};
 use crate::gpu::{bindings, buffers};
 use crate::{Error, Frame, Gravity, Light, PhysicsModel};
@@ -18,6 +19,7 @@ const CRUSH_DECAY: f32 = 0.25;
 pub(crate) struct Inputs {
     frame: wgpu::Buffer,
     wind: wgpu::Buffer,
+    wind_atlas: WindAtlas,
     chunks: ChunkBuffer,
     group: wgpu::BindGroup,
     draw_group: wgpu::BindGroup,
@@ -29,8 +31,11 @@ fn compute_group(
     frame: &wgpu::Buffer,
     wind: &wgpu::Buffer,
     primitives: &wgpu::Buffer,
+    wind_maps: &wgpu::TextureView,
 ) -> wgpu::BindGroup {
-    bindings::buffers(device, "sward.frame", &layouts.frame, &[frame, wind, primitives])
+    let [frame, wind, primitives] = [frame, wind, primitives].map(|b| b.as_entire_binding());
+    let maps = wgpu::BindingResource::TextureView(wind_maps);
+    bindings::group(device, "sward.frame", &layouts.frame, &[frame, wind, primitives, maps])
 }
 
 fn check_gravity(gravity: &Gravity) -> Result<(), Error> {
@@ -59,10 +64,12 @@ impl Inputs {
         let wind_bytes = (MAX_WIND_SOURCES * size_of::<GpuWindSource>()) as u64;
         let wind = buffers::uniform(device, "sward.wind", wind_bytes);
         let chunks = ChunkBuffer::new(device);
-        let group = compute_group(device, layouts, &frame, &wind, chunks.buffer());
+        let wind_atlas = WindAtlas::new(device);
+        let maps = wind_atlas.view();
+        let group = compute_group(device, layouts, &frame, &wind, chunks.buffer(), maps);
         let draw_group =
             bindings::buffers(device, "sward.draw_frame", &layouts.draw_frame, &[&frame]);
-        Self { frame, wind, chunks, group, draw_group }
+        Self { frame, wind, wind_atlas, chunks, group, draw_group }
     }
 
     /// Group 0 of the compute stages.
@@ -101,9 +108,10 @@ impl Inputs {
         clock: &Clock,
     ) -> ChunkCounts {
         let (counts, is_other) = self.chunks.write(device, encoder, expanded);
-        if is_other {
-            let primitives = self.chunks.buffer();
-            self.group = compute_group(device, layouts, &self.frame, &self.wind, primitives);
+        let new_maps = self.wind_atlas.write(device, encoder, &frame.wind.sources);
+        if is_other || new_maps {
+            let (primitives, maps) = (self.chunks.buffer(), self.wind_atlas.view());
+            self.group = compute_group(device, layouts, &self.frame, &self.wind, primitives, maps);
         }
         let uniform = gpu_frame(frame, clock, wind.len(), counts);
         buffers::write(device, encoder, &self.frame, bytemuck::bytes_of(&uniform));
@@ -124,6 +132,7 @@ pub(crate) fn check(device: &wgpu::Device, frame: &Frame) -> Result<Lists, Error
     check_light(&frame.light)?;
     let wind = frame.wind.gpu_sources();
     at_most("wind", "sward's 64 wind sources", wind.len(), MAX_WIND_SOURCES)?;
+    atlas::check(&device.limits(), &frame.wind.sources)?;
     let expanded = expand(frame.colliders, frame.physics);
     upload::check(&device.limits(), &expanded)?;
     Ok(Lists { wind, expanded })

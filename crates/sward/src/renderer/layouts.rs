@@ -38,7 +38,7 @@ fn empty_depth(device: &wgpu::Device) -> wgpu::TextureView {
 
 impl Layouts {
     pub(crate) fn new(device: &wgpu::Device) -> Self {
-        use Kind::{Depth, Read, Uniform, Write};
+        use Kind::{Depth, Read, Texels, Uniform, Write};
         let compute =
             |label: &str, kinds: &[Kind]| layout(device, label, ShaderStages::COMPUTE, kinds);
         let draw = |label: &str, kinds: &[Kind]| {
@@ -48,7 +48,7 @@ impl Layouts {
         let nothing = empty_depth(device);
         let resource = wgpu::BindingResource::TextureView(&nothing);
         Self {
-            frame: compute("sward.frame", &[Uniform, Uniform, Read]),
+            frame: compute("sward.frame", &[Uniform, Uniform, Read, Texels]),
             draw_frame: draw("sward.draw_frame", &[Uniform]),
             field: compute("sward.field", &[Uniform, Uniform, Read, Read]),
             draw_field: layout(

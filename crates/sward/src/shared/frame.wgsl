@@ -46,20 +46,20 @@ struct GpuPrimitive {
 const CHUNK_STRIDE: u32 = 65u;
 
 struct GpuWindSource {
-    // 0 waves, 1 gusts, 2 cosine, 3 rotor, 4 vortex, 5 fan
+    // 0 waves, 1 gusts, 2 cosine, 3 rotor, 4 vortex, 5 fan, 6 texture
     kind: u32,
     seed: u32,
     // Unit direction in the xz plane; fan: across its axis
     direction: vec2<f32>,
     // Waves: mean, amplitude; gusts: strength, turbulence; others: strength
     strength: vec2<f32>,
-    // Waves, cosine: radians a metre; others: cells of noise a metre
+    // Waves, cosine: radians a metre; texture: texels a metre; others: cells of noise a metre
     frequency: f32,
-    // Waves, cosine: radians a second; gusts, fan: metres a second; rotor, vortex: turns of their
+    // Waves, cosine: radians a second; gusts, fan, texture: metres a second; rotor, vortex: turns of their
     // noise a second
     rate: f32,
     // Waves: phase now, radians in 0..2 pi, and drift of their noise, cells; gusts, fan: drift now,
-    // cells; cosine: phase; rotor, vortex: phase of the spokes, turns of their noise
+    // cells; texture: drift now, texels; cosine: phase; rotor, vortex: phase of the spokes, turns of their noise
     phase: vec2<f32>,
     // Metres
     radius: f32,
@@ -80,6 +80,10 @@ struct GpuWindSource {
     spoke_rate: f32,
     spoke_wind: f32,
     pulse: f32,
+    // Texture: the first row of its map among all maps, and its width and height, 16 bits each
+    map_row: u32,
+    map_size: u32,
+    reserved: vec2<u32>,
 }
 
 @group(0) @binding(0) var<uniform> frame: GpuFrame;

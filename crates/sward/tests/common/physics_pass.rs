@@ -16,6 +16,7 @@ const SHADER: &str = concat!(
     include_str!("../../src/frame/collide/primitive.wgsl"),
     include_str!("../../src/frame/collide/cuboid.wgsl"),
     include_str!("../../src/frame/wind/placed.wgsl"),
+    include_str!("../../src/frame/wind/textured.wgsl"),
     include_str!("../../src/frame/collide/contact.wgsl"),
     include_str!("../../src/frame/physics/physics.wgsl"),
     include_str!("../../src/frame/physics/paper.wgsl"),
@@ -133,8 +134,9 @@ impl PhysicsPass {
         let wind = buffer(&self.device, bytemuck::cast_slice(&wind), wgpu::BufferUsages::UNIFORM);
         let primitives = buffer(&self.device, bytemuck::cast_slice(&primitives), storage);
         let gaps = buffer(&self.device, bytemuck::cast_slice(gaps_s), storage);
-        let group0 = self.group(0, &[&frame, &wind, &primitives]);
-        let group1 = self.group(1, &[&self.blades, &self.states, &gaps]);
+        let no_maps = self.no_maps();
+        let group0 = self.group(0, &[&frame, &wind, &primitives], Some(&no_maps));
+        let group1 = self.group(1, &[&self.blades, &self.states, &gaps], None);
         let mut encoder = self.device.create_command_encoder(&Default::default());
         {
             let mut pass = encoder.begin_compute_pass(&Default::default());
@@ -164,8 +166,29 @@ impl PhysicsPass {
         }
     }
 
-    fn group(&self, index: u32, buffers: &[&wgpu::Buffer]) -> wgpu::BindGroup {
-        let entries: Vec<_> = buffers
+    /// Winds with maps have a test of their own.
+    fn no_maps(&self) -> wgpu::TextureView {
+        let texture = self.device.create_texture(&wgpu::TextureDescriptor {
+            label: None,
+            size: wgpu::Extent3d::default(),
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::Rg32Float,
+            usage: wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        });
+        texture.create_view(&Default::default())
+    }
+
+    /// Buffers, then a texture.
+    fn group(
+        &self,
+        index: u32,
+        buffers: &[&wgpu::Buffer],
+        texture: Option<&wgpu::TextureView>,
+    ) -> wgpu::BindGroup {
+        let mut entries: Vec<_> = buffers
             .iter()
             .enumerate()
             .map(|(i, buffer)| wgpu::BindGroupEntry {
@@ -173,6 +196,10 @@ impl PhysicsPass {
                 resource: buffer.as_entire_binding(),
             })
             .collect();
+        entries.extend(texture.map(|view| wgpu::BindGroupEntry {
+            binding: buffers.len() as u32,
+            resource: wgpu::BindingResource::TextureView(view),
+        }));
         self.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
             layout: &self.pipeline.get_bind_group_layout(index),

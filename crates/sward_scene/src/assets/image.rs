@@ -64,3 +64,25 @@ pub(crate) fn density(file: &Path, bytes: &[u8]) -> Result<sward::DensityMap, Sc
     let values = image.into_raw().iter().map(|&v| f32::from(v) / f32::from(u16::MAX)).collect();
     Ok(sward::DensityMap::Texture { width, height, values })
 }
+
+/// Decodes a map of winds: a grey image is the strength along the wind; of a colour image red is along
+/// the wind and green across it, and the middle of their range is none. Values are taken as stored.
+pub(crate) fn wind(file: &Path, bytes: &[u8]) -> Result<sward::WindMap, SceneError> {
+    let image = decode(file, bytes)?;
+    let (width, height) = (image.width(), image.height());
+    if width.max(height) > sward::WindMap::MAX_SIDE {
+        let most = sward::WindMap::MAX_SIDE;
+        let cause = format!("{width} x {height} pixels: a map of winds has at most {most} a side");
+        return Err(SceneError::asset(file, cause));
+    }
+    let pixels = image.into_rgb16().into_raw();
+    let (pixels, _) = pixels.as_chunks::<3>();
+    let unit = |value: u16| f32::from(value) / f32::from(u16::MAX);
+    let grey = pixels.iter().all(|[r, g, b]| r == g && g == b);
+    let winds = pixels.iter().map(|[r, g, _]| match grey {
+        true => [unit(*r), 0.0],
+        false => [r, g].map(|part| 2.0 * unit(*part) - 1.0),
+    });
+    sward::WindMap::new(width, height, winds.collect())
+        .map_err(|error| SceneError::asset(file, error.to_string()))
+}

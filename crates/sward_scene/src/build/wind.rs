@@ -1,32 +1,52 @@
 //! Terms of the wind.
 
+use super::Context;
+use crate::assets;
 use crate::check::{Key, Problem};
+use crate::error::SceneError;
 use crate::motion::{self, Path};
 use crate::objects::{Placed, find};
 use crate::schema::{
-    CosineFile, FanFile, GustsFile, PathFile, RotorFile, SceneFile, VortexFile, WavesFile, WindFile,
+    CosineFile, FanFile, GustsFile, PathFile, RotorFile, SceneFile, VortexFile, WavesFile,
+    WindFile, WindTextureFile,
 };
 use crate::wind::SceneWind;
 use glam::{Vec2, Vec3};
-use sward::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindSource};
+use std::sync::Arc;
+use sward::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindMap, WindSource, WindTexture};
 
 /// Strongest wind, `beta`.
 const MAX_WIND: f32 = 20.0;
 
-pub(super) fn sources(file: &SceneFile, placed: &[Placed]) -> Result<Vec<SceneWind>, Problem> {
+pub(super) fn sources(
+    context: &Context,
+    file: &SceneFile,
+    placed: &[Placed],
+) -> Result<Vec<SceneWind>, SceneError> {
     let count = file.wind.len();
     if count > Wind::MAX_SOURCES {
         let cause = format!("{count} sources: at most {} are taken", Wind::MAX_SOURCES);
-        return Err(Key::name("wind").problem(cause));
+        return Err(context.error(Key::name("wind").problem(cause)));
     }
     let sources = file.wind.iter().enumerate();
-    sources.map(|(index, source)| self::source(source, index, placed)).collect()
+    let source = |(index, source): (usize, &WindFile)| match source {
+        WindFile::Texture(texture) => {
+            let source = texture_source(context, texture, &Key::list("wind", index))?;
+            Ok(everywhere(WindSource::Texture(source)))
+        }
+        _ => self::source(source, index, placed).map_err(|problem| context.error(problem)),
+    };
+    sources.map(source).collect()
+}
+
+fn everywhere(source: WindSource) -> SceneWind {
+    SceneWind { source, path: Path::still(Vec3::ZERO) }
 }
 
 fn source(file: &WindFile, index: usize, placed: &[Placed]) -> Result<SceneWind, Problem> {
     let key = Key::list("wind", index);
-    let everywhere = |source| SceneWind { source, path: Path::still(Vec3::ZERO) };
     Ok(match file {
+        WindFile::Texture(_) => everywhere(WindSource::Texture(WindTexture::default())),
         WindFile::Waves(waves) => everywhere(WindSource::Waves(wave_source(waves, &key)?)),
         WindFile::Gusts(gusts) => everywhere(WindSource::Gusts(gust_source(gusts, &key)?)),
         WindFile::Cosine(cosine) => everywhere(WindSource::Cosine(cosine_source(cosine, &key)?)),
@@ -141,4 +161,33 @@ fn fan_source(fan: &FanFile, key: &Key) -> Result<Fan, Problem> {
         turbulence: key.at("turbulence").within(fan.turbulence, 0.0, 1.0)?,
         seed: fan.seed,
     })
+}
+
+fn texture_source(
+    context: &Context,
+    texture: &WindTextureFile,
+    key: &Key,
+) -> Result<WindTexture, SceneError> {
+    let checked = || {
+        let noise = texture.gusts.is_some() || texture.seed.is_some();
+        if texture.file.is_some() && noise {
+            return Err(key
+                .at("file")
+                .problem("give `file`, or `gusts` and `seed` of noise, not both"));
+        }
+        let gusts = key.at("gusts").integer(texture.gusts.unwrap_or(4).into(), 1, 64)?;
+        Ok(WindTexture {
+            direction: Vec2::from(key.at("direction").direction(texture.direction)?),
+            map: Arc::new(WindMap::noise(gusts as u32, texture.seed.unwrap_or(1))),
+            strength: key.at("strength").within(texture.strength, 0.0, MAX_WIND)?,
+            size_m: key.at("size_m").within(texture.size_m, 0.01, 100_000.0)?,
+            speed_mps: key.at("speed_mps").within(texture.speed_mps, -100.0, 100.0)?,
+        })
+    };
+    let mut source = checked().map_err(|problem| context.error(problem))?;
+    if let Some(file) = &texture.file {
+        let file = context.resolve(file);
+        source.map = Arc::new(assets::image::wind(&file, &assets::read(&file)?)?);
+    }
+    Ok(source)
 }

@@ -28,7 +28,9 @@ pub use source::{
 };
 pub(crate) use value::linear_from_srgb;
 pub use value::{Color, Span};
-pub use wind::{CosineFile, FanFile, GustsFile, RotorFile, VortexFile, WavesFile, WindFile};
+pub use wind::{
+    CosineFile, FanFile, GustsFile, RotorFile, VortexFile, WavesFile, WindFile, WindTextureFile,
+};
 
 use serde::Deserialize;
 

@@ -18,6 +18,8 @@ pub enum WindFile {
     Vortex(VortexFile),
     /// A jet of air that widens as a cone.
     Fan(FanFile),
+    /// A map of winds that repeats and drifts.
+    Texture(WindTextureFile),
 }
 
 /// Travelling waves. Its defaults are those of [`sward::Waves`].
@@ -254,6 +256,42 @@ impl Default for FanFile {
             speed_mps: fan.speed_mps,
             turbulence: fan.turbulence,
             seed: fan.seed,
+        }
+    }
+}
+
+/// A map of winds. Its defaults are those of [`sward::WindTexture`].
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct WindTextureFile {
+    /// PNG or JPEG, at most 2048 a side, whose columns run along the direction; it repeats. Grey: the
+    /// strength along the direction, black none. Colour: red along it, green across it (to the right
+    /// seen from above), the middle of each none. Default: noise.
+    pub file: Option<String>,
+    /// Of noise: gusts along each side of a tile, 1..=64; default 4. Not with `file`.
+    pub gusts: Option<u32>,
+    /// Of noise: its seed; default 1. Not with `file`.
+    pub seed: Option<u32>,
+    /// Where it drifts to, `(x, z)`, any length but 0; default `(1, 0)`.
+    pub direction: [f32; 2],
+    /// Strength of white; default 0.9.
+    pub strength: f32,
+    /// Length of a tile along the direction, 0.01..=100000; default 40.
+    pub size_m: f32,
+    /// Drift, -100..=100; default 5.
+    pub speed_mps: f32,
+}
+
+impl Default for WindTextureFile {
+    fn default() -> Self {
+        Self {
+            file: None,
+            gusts: None,
+            seed: None,
+            direction: [1.0, 0.0],
+            strength: 0.9,
+            size_m: 40.0,
+            speed_mps: 5.0,
         }
     }
 }

@@ -1,15 +1,18 @@
-//! The CPU reference of lobes.wgsl.
+//! lobes.wgsl on the CPU: what is baked, and the reference of tests.
 
 const STALK: f64 = 0.1;
 const LOBE_WAVES: f64 = 4.8;
 const LOBE_SKEW: f64 = 0.8;
 const LOBE_NOTCH: f64 = 0.25;
+#[cfg(test)]
 const LOBE_SLANT: f64 = 0.08;
 
 /// Lobes of the outline, from the stalk to the tip.
+#[cfg(test)]
 pub(crate) const LOBES: usize = 5;
 
-fn leaf_width(along: f64) -> f64 {
+/// Share of the width at a share of the length, before the lobes hang back.
+pub(crate) fn leaf_width(along: f64) -> f64 {
     use std::f64::consts::{FRAC_PI_2, TAU};
     let t = ((along - STALK) / (1.0 - STALK)).clamp(0.0, 1.0);
     let phase = TAU * LOBE_WAVES * t;
@@ -22,6 +25,7 @@ fn leaf_width(along: f64) -> f64 {
 
 /// How far inside the outline a point is, in half widths: at a share of the length, and so far from
 /// the middle line in half widths.
+#[cfg(test)]
 pub(crate) fn leaf_inside(along: f64, side: f64) -> f64 {
     let slant = LOBE_SLANT * side * (8.0 * (1.0 - along)).clamp(0.0, 1.0);
     leaf_width(along + slant) - side
@@ -29,6 +33,7 @@ pub(crate) fn leaf_inside(along: f64, side: f64) -> f64 {
 
 /// Local maxima of a silhouette's widths, root to tip: a maximum counts where the width falls by
 /// `least` on both sides of it before it is passed.
+#[cfg(test)]
 pub(crate) fn maxima(widths: &[f64], least: f64) -> usize {
     let (mut count, mut high, mut low) = (0, f64::NEG_INFINITY, f64::INFINITY);
     let mut rising = true;

@@ -1,6 +1,5 @@
 //! Drawing: one indirect draw a bucket, vertices pulled from the blade buffers.
 
-#[cfg(test)]
 pub(crate) mod lobes_twin;
 pub(crate) mod pipelines;
 pub(crate) mod topology;

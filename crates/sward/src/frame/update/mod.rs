@@ -20,12 +20,12 @@ pub(crate) enum Work {
 impl Work {
     const ALL: [Self; 3] = [Self::Simulate, Self::Test, Self::Both];
 
-    fn constants(self, placed_wind: bool) -> [(&'static str, f64); 3] {
+    fn constants(self, rare_wind: bool) -> [(&'static str, f64); 3] {
         let on = |x: bool| f64::from(u8::from(x));
         [
             ("SIMULATE", on(self != Self::Test)),
             ("TEST", on(self != Self::Simulate)),
-            ("PLACED_WIND", on(placed_wind)),
+            ("RARE_WIND", on(rare_wind)),
         ]
     }
 }
@@ -37,22 +37,22 @@ struct Pipelines {
     multisampled: [wgpu::ComputePipeline; 3],
 }
 
-/// The update stage. Most winds have no rotor, vortex or fan: they get pipelines that know none, as
+/// The update stage. Most winds have no rotor, vortex, fan or map: they get pipelines that know none, as
 /// a device may run what a wind does not need.
 #[derive(Debug)]
 pub(crate) struct Update {
     plain: Pipelines,
     /// Made when it is first needed.
-    placed: Option<Pipelines>,
-    placed_wind: bool,
+    rare: Option<Pipelines>,
+    rare_wind: bool,
 }
 
 impl Pipelines {
-    fn new(device: &wgpu::Device, layouts: &Layouts, placed_wind: bool) -> Self {
+    fn new(device: &wgpu::Device, layouts: &Layouts, rare_wind: bool) -> Self {
         let set = |shader: Shader, depth| {
             let module = shader.module(device);
             let groups = [&layouts.frame, &layouts.field, &layouts.update, depth];
-            let constants = |work: Work| work.constants(placed_wind);
+            let constants = |work: Work| work.constants(rare_wind);
             Work::ALL.map(|work| compute(device, &module, "update", &groups, &constants(work)))
         };
         Self {
@@ -65,14 +65,14 @@ impl Pipelines {
 impl Update {
     pub(crate) fn new(device: &wgpu::Device, layouts: &Layouts) -> Self {
         let plain = Pipelines::new(device, layouts, false);
-        Self { plain, placed: None, placed_wind: false }
+        Self { plain, rare: None, rare_wind: false }
     }
 
-    /// Says whether some source of the wind has a place.
-    pub(crate) fn set_wind(&mut self, device: &wgpu::Device, layouts: &Layouts, placed: bool) {
-        self.placed_wind = placed;
-        if placed {
-            self.placed.get_or_insert_with(|| Pipelines::new(device, layouts, true));
+    /// Says whether some source of the wind has a place or a map.
+    pub(crate) fn set_wind(&mut self, device: &wgpu::Device, layouts: &Layouts, rare: bool) {
+        self.rare_wind = rare;
+        if rare {
+            self.rare.get_or_insert_with(|| Pipelines::new(device, layouts, true));
         }
     }
 
@@ -85,7 +85,7 @@ impl Update {
         work: Work,
         multisampled: bool,
     ) {
-        let pipelines = self.placed.as_ref().filter(|_| self.placed_wind).unwrap_or(&self.plain);
+        let pipelines = self.rare.as_ref().filter(|_| self.rare_wind).unwrap_or(&self.plain);
         let set = if multisampled { &pipelines.multisampled } else { &pipelines.single };
         pass.set_pipeline(&set[work as usize]);
         pass.set_bind_group(2, &lists.update, &[]);

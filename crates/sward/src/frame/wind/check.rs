@@ -44,6 +44,7 @@ impl WindSource {
             Self::Gusts(g) => Some(g.direction.extend(0.0)),
             Self::Cosine(c) => Some(c.direction.extend(0.0)),
             Self::Fan(fan) => Some(fan.direction),
+            Self::Texture(t) => Some(t.direction.extend(0.0)),
             Self::Rotor(_) | Self::Vortex(_) => None,
         }
     }
@@ -51,7 +52,7 @@ impl WindSource {
     /// Position and velocity, zero for kinds without a place.
     pub(super) fn motion(&self) -> [Vec3; 2] {
         match self {
-            Self::Waves(_) | Self::Gusts(_) | Self::Cosine(_) => [Vec3::ZERO; 2],
+            Self::Waves(_) | Self::Gusts(_) | Self::Cosine(_) | Self::Texture(_) => [Vec3::ZERO; 2],
             Self::Rotor(rotor) => [rotor.position, rotor.velocity],
             Self::Vortex(vortex) => [vortex.position, vortex.velocity],
             Self::Fan(fan) => [fan.position, fan.velocity],
@@ -76,6 +77,11 @@ impl WindSource {
                 ("strength", c.strength, 0.0, 100.0),
                 ("period_s", c.period_s, 0.01, 1e4),
                 ("wavelength_m", c.wavelength_m, 0.01, f32::INFINITY),
+            ],
+            Self::Texture(t) => vec![
+                ("strength", t.strength, 0.0, 100.0),
+                ("size_m", t.size_m, 0.01, 1e5),
+                ("speed_mps", t.speed_mps, -1e3, 1e3),
             ],
             Self::Rotor(r) => vec![
                 ("radius_m", r.radius_m, 0.01, 1e3),

@@ -4,17 +4,21 @@
 //! Wind is a vector in space. Its upward or downward part acts on blades that lean: by J's equation
 //! 7 wind along a blade finds nothing to push.
 
+pub(crate) mod atlas;
 mod check;
+mod map;
 mod source;
 mod state;
 mod twin;
 
-pub use source::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, WindSource};
+pub use map::WindMap;
+pub use source::{Cosine, Fan, Gusts, Rotor, Vortex, Waves, WindSource, WindTexture};
 pub use state::GpuWindSource;
 
 use crate::Error;
 use crate::gpu::layout::MAX_WIND_SOURCES;
 use glam::{DVec2, DVec3, Vec3};
+use std::sync::Arc;
 use twin::Source;
 
 /// All sources, and the time that has passed for them.
@@ -84,15 +88,24 @@ impl Wind {
     /// The sources for the GPU; those without effect are left out.
     #[doc(hidden)]
     pub fn gpu_sources(&self) -> Vec<GpuWindSource> {
-        self.states().map(GpuWindSource::from).collect()
+        let rows = atlas::rows(&self.sources);
+        let row = |source: &Source| {
+            let own = |(map, _): &&(&Arc<WindMap>, u32)| {
+                source.map.is_some_and(|used| std::ptr::eq(used, Arc::as_ptr(map)))
+            };
+            rows.iter().find(own).map_or(0, |(_, row)| *row)
+        };
+        let gpu = |source: Source| GpuWindSource { map_row: row(&source), ..source.into() };
+        self.states().map(gpu).collect()
     }
 
-    /// Whether some source has a place.
-    pub(crate) fn is_placed(&self) -> bool {
-        self.sources.iter().any(|source| source.position().is_some())
+    /// Whether some source has a place or a map, which most winds lack.
+    pub(crate) fn is_rare(&self) -> bool {
+        let mapped = |source: &WindSource| matches!(source, WindSource::Texture(_));
+        self.sources.iter().any(|source| source.position().is_some() || mapped(source))
     }
 
-    fn states(&self) -> impl Iterator<Item = Source> {
+    fn states(&self) -> impl Iterator<Item = Source<'_>> {
         let phases = self.phases.iter().copied().chain(std::iter::repeat(DVec2::ZERO));
         self.sources.iter().zip(phases).filter_map(|(source, phase)| source.state(phase))
     }

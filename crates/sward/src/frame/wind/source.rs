@@ -1,6 +1,8 @@
 //! The kinds of wind source: what a host sets.
 
+use super::WindMap;
 use glam::{Vec2, Vec3};
+use std::sync::Arc;
 
 /// One term of the wind field.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +20,8 @@ pub enum WindSource {
     Vortex(Vortex),
     /// A jet of air that widens as a cone.
     Fan(Fan),
+    /// A map of winds that repeats and drifts.
+    Texture(WindTexture),
 }
 
 /// Travelling waves: `direction * (mean + amplitude * wave(phase))`.
@@ -168,6 +172,24 @@ pub struct Fan {
     pub seed: u32,
 }
 
+/// A map of winds that repeats over the ground and drifts with the wind: the wind texture of Wang and
+/// Yao (2023). What a map holds across its direction turns plants aside.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WindTexture {
+    /// Where the map drifts to, in the xz plane, and what its columns run along; must not be zero.
+    pub direction: Vec2,
+    /// The map. Sources that share one share its memory, 8 bytes a texel; the renderer takes all maps
+    /// anew when another comes.
+    pub map: Arc<WindMap>,
+    /// Strength of the map's 1 (beta), 0..=100.
+    pub strength: f32,
+    /// Length of a tile along the direction, metres, 0.01..=100000. Texels are as wide as long. Larger
+    /// tiles repeat less often and have coarser gusts.
+    pub size_m: f32,
+    /// Drift, metres a second, -1000..=1000; negative drifts against the wind.
+    pub speed_mps: f32,
+}
+
 impl Default for Waves {
     /// A breeze with waves 14 m apart.
     fn default() -> Self {
@@ -254,11 +276,24 @@ impl Default for Fan {
     }
 }
 
+impl Default for WindTexture {
+    /// Tiles of 40 m of noise.
+    fn default() -> Self {
+        Self {
+            direction: Vec2::X,
+            map: Arc::new(WindMap::noise(4, 1)),
+            strength: 0.9,
+            size_m: 40.0,
+            speed_mps: 5.0,
+        }
+    }
+}
+
 impl WindSource {
     /// Where the source is, metres; `None` for a kind that blows everywhere.
     pub fn position(&self) -> Option<Vec3> {
         match self {
-            Self::Waves(_) | Self::Gusts(_) | Self::Cosine(_) => None,
+            Self::Waves(_) | Self::Gusts(_) | Self::Cosine(_) | Self::Texture(_) => None,
             Self::Rotor(rotor) => Some(rotor.position),
             Self::Vortex(vortex) => Some(vortex.position),
             Self::Fan(fan) => Some(fan.position),
@@ -269,7 +304,7 @@ impl WindSource {
     /// how it moves now: see [`Rotor::velocity`].
     pub fn place(&mut self, position: Vec3, velocity: Vec3) {
         let (old_position, old_velocity) = match self {
-            Self::Waves(_) | Self::Gusts(_) | Self::Cosine(_) => return,
+            Self::Waves(_) | Self::Gusts(_) | Self::Cosine(_) | Self::Texture(_) => return,
             Self::Rotor(rotor) => (&mut rotor.position, &mut rotor.velocity),
             Self::Vortex(vortex) => (&mut vortex.position, &mut vortex.velocity),
             Self::Fan(fan) => (&mut fan.position, &mut fan.velocity),

@@ -33,11 +33,14 @@ pub struct GpuWindSource {
     pub spoke_rate: f32,
     pub spoke_wind: f32,
     pub pulse: f32,
+    pub map_row: u32,
+    pub map_size: u32,
+    pub reserved: [u32; 2],
 }
 
 impl WindSource {
     /// The source with its phase; none where its settings make no sense.
-    pub(super) fn state(&self, phase: DVec2) -> Option<Source> {
+    pub(super) fn state(&self, phase: DVec2) -> Option<Source<'_>> {
         self.check("").ok()?;
         let [position, velocity] = self.motion().map(|v| v.as_dvec3());
         let placed = Source { position, velocity, phase, ..Source::default() };
@@ -71,6 +74,15 @@ impl WindSource {
                 rate: TAU / f64::from(c.period_s),
                 ..placed
             },
+            Self::Texture(t) => Source {
+                kind: Kind::Texture,
+                direction: t.direction.as_dvec2().normalize(),
+                strength: dvec2(f64::from(t.strength), 0.0),
+                frequency: f64::from(t.map.width()) / f64::from(t.size_m),
+                rate: f64::from(t.speed_mps),
+                map: Some(&t.map),
+                ..placed
+            },
             Self::Rotor(r) => rotor(r, placed),
             Self::Vortex(v) => vortex(v, placed),
             Self::Fan(f) => fan(f, placed),
@@ -78,7 +90,7 @@ impl WindSource {
     }
 }
 
-fn rotor(r: &Rotor, placed: Source) -> Source {
+fn rotor<'a>(r: &Rotor, placed: Source<'a>) -> Source<'a> {
     let spoke_rate = f64::from(r.rpm) / 60.0 * TAU * f64::from(r.blades);
     let turn = if r.rpm < 0.0 { -1.0 } else { 1.0 };
     let flow = dvec3(1.0, turn * f64::from(r.swirl), -f64::from(r.downwash));
@@ -97,7 +109,7 @@ fn rotor(r: &Rotor, placed: Source) -> Source {
     }
 }
 
-fn vortex(v: &Vortex, placed: Source) -> Source {
+fn vortex<'a>(v: &Vortex, placed: Source<'a>) -> Source<'a> {
     let turn = if v.clockwise { -1.0 } else { 1.0 };
     let flow = dvec3(-f64::from(v.inflow), turn, f64::from(v.updraft));
     Source {
@@ -112,7 +124,7 @@ fn vortex(v: &Vortex, placed: Source) -> Source {
 }
 
 /// What rotors and vortices have in common: `flow` is outward, around and upward.
-fn whirl(placed: Source, flow: DVec3, settings: [f32; 5], seed: u32) -> Source {
+fn whirl(placed: Source<'_>, flow: DVec3, settings: [f32; 5], seed: u32) -> Source<'_> {
     let [radius, range, strength, turbulence, speed] = settings.map(f64::from);
     let cell_m = 0.45 * radius;
     let carried = CARRIED_CELLS * cell_m;
@@ -131,7 +143,7 @@ fn whirl(placed: Source, flow: DVec3, settings: [f32; 5], seed: u32) -> Source {
     }
 }
 
-fn fan(f: &Fan, placed: Source) -> Source {
+fn fan<'a>(f: &Fan, placed: Source<'a>) -> Source<'a> {
     let axis = f.direction.as_dvec3().normalize();
     let side = dvec2(axis.z, -axis.x).try_normalize().unwrap_or(DVec2::X);
     Source {
@@ -150,7 +162,7 @@ fn fan(f: &Fan, placed: Source) -> Source {
     }
 }
 
-impl Source {
+impl Source<'_> {
     /// The phase `dt_s` later, wrapped where the wind is the same again.
     pub(super) fn phase_after(&self, dt_s: f64) -> DVec2 {
         let period = f64::from(NOISE_PERIOD);
@@ -162,13 +174,19 @@ impl Source {
                 let drift = self.rate * self.frequency * dt_s;
                 dvec2((self.phase.x + drift).rem_euclid(period), 0.0)
             }
+            Kind::Texture => {
+                let width = f64::from(self.map.map_or(1, |map| map.width()));
+                let drift = self.phase.x + self.rate * self.frequency * dt_s;
+                dvec2(drift.rem_euclid(width), 0.0)
+            }
             Kind::Cosine => dvec2(turned(self.rate), 0.0),
             Kind::Rotor | Kind::Vortex => dvec2(turned(self.spoke_rate), drifted(self.rate * dt_s)),
         }
     }
 }
 
-impl From<Source> for GpuWindSource {
+impl From<Source<'_>> for GpuWindSource {
+    /// All but the map's row.
     fn from(source: Source) -> Self {
         let f = |x: f64| x as f32;
         Self {
@@ -191,6 +209,9 @@ impl From<Source> for GpuWindSource {
             spoke_rate: f(source.spoke_rate),
             spoke_wind: f(source.spoke_wind),
             pulse: f(source.pulse),
+            map_row: 0,
+            map_size: source.map.map_or(0, |map| map.width() | (map.height() << 16)),
+            reserved: [0; 2],
         }
     }
 }

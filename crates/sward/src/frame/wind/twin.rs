@@ -1,5 +1,6 @@
 //! Wind strength (beta) at a place and a time, the reference of `wind.wgsl`.
 
+use super::WindMap;
 use crate::shared::noise_twin::{NOISE_PERIOD, noise2, smoothstep};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use std::f64::consts::TAU;
@@ -15,19 +16,20 @@ pub(super) const PAST_S: f64 = 4.0;
 
 /// One source with its present phase; `frame.wgsl` says which kind uses what how.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Source {
+pub(super) struct Source<'a> {
     pub kind: Kind,
     pub seed: u32,
     /// Unit, xz. Fan: horizontal, across its axis.
     pub direction: DVec2,
     /// Waves: mean and amplitude; gusts: strength and turbulence; others: strength.
     pub strength: DVec2,
-    /// Waves, cosine: radians a metre; others: cells a metre.
+    /// Waves, cosine: radians a metre; texture: texels a metre; others: cells a metre.
     pub frequency: f64,
-    /// Waves, cosine: radians a second; gusts, fan: metres a second; rotor, vortex: how often a
+    /// Waves, cosine: radians a second; gusts, fan, texture: metres a second; rotor, vortex: how often a
     /// second their gusts are drawn anew.
     pub rate: f64,
-    /// Waves: phase (radians) and drift of their noise (cells); gusts, fan: drift (cells); cosine:
+    /// Waves: phase (radians) and drift of their noise (cells); gusts, fan: drift (cells); texture: drift
+    /// (texels); cosine:
     /// phase; rotor, vortex: phase of the spokes and turns of their noise.
     pub phase: DVec2,
     pub radius: f64,
@@ -46,6 +48,8 @@ pub(super) struct Source {
     pub spoke_rate: f64,
     pub spoke_wind: f64,
     pub pulse: f64,
+    /// Of a texture.
+    pub map: Option<&'a WindMap>,
 }
 
 /// In the order of their numbers on the GPU.
@@ -58,9 +62,10 @@ pub(super) enum Kind {
     Rotor,
     Vortex,
     Fan,
+    Texture,
 }
 
-impl Source {
+impl Source<'_> {
     fn at(&self, position: DVec3, seconds_ago: f64) -> DVec3 {
         let place = dvec2(position.x, position.z);
         let along_across = dvec2(place.dot(self.direction), place.dot(self.direction.perp()));
@@ -72,6 +77,7 @@ impl Source {
             Kind::Cosine => level(self.cosine(along_across, seconds_ago)),
             Kind::Rotor | Kind::Vortex => self.whirl(from, seconds_ago),
             Kind::Fan => self.fan(from, seconds_ago),
+            Kind::Texture => level(self.mapped(along_across, seconds_ago)),
         }
     }
 
@@ -105,6 +111,14 @@ impl Source {
     fn cosine(&self, at: DVec2, seconds_ago: f64) -> DVec2 {
         let phase = self.phase.x - self.rate * seconds_ago - self.frequency * at.x;
         self.direction * (self.strength.x * phase.cos())
+    }
+
+    /// The map, as it has drifted.
+    fn mapped(&self, at: DVec2, seconds_ago: f64) -> DVec2 {
+        let Some(map) = self.map else { return DVec2::ZERO };
+        let drift = self.phase.x - self.rate * self.frequency * seconds_ago;
+        let wind = map.at(at * self.frequency - dvec2(drift, 0.0)) * self.strength.x;
+        self.direction * wind.x + self.direction.perp() * wind.y
     }
 
     /// A rotor's wash or a vortex, at `from` its hub.
@@ -204,8 +218,8 @@ impl Source {
 }
 
 /// The sum of `sources` at `position` (metres) as it was `seconds_ago`.
-pub(super) fn wind_at(
-    sources: impl Iterator<Item = Source>,
+pub(super) fn wind_at<'a>(
+    sources: impl Iterator<Item = Source<'a>>,
     position: DVec3,
     seconds_ago: f64,
 ) -> DVec3 {

@@ -66,8 +66,13 @@ fn wind_at(position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
             case 2u: {
                 level += cosine_strength(wind_sources[i], position, seconds_ago);
             }
+            case 6u: {
+                if RARE_WIND {
+                    level += map_strength(wind_sources[i], position, seconds_ago);
+                }
+            }
             default: {
-                if PLACED_WIND {
+                if RARE_WIND {
                     sum += placed_strength(wind_sources[i], position, seconds_ago);
                 }
             }

@@ -1,0 +1,32 @@
+//! Baking on the CPU: plants made of ribbons become pictures of them, in texels that hold colour,
+//! coverage, normal, height and thickness. `ribbon -> raster -> mips -> layers`.
+
+pub(crate) mod layers;
+pub(crate) mod mips;
+pub(crate) mod raster;
+pub(crate) mod ribbon;
+
+use glam::Vec3;
+
+/// Alpha that a texel is drawn from.
+pub(crate) const ALPHA_TEST: f32 = 0.5;
+
+/// A corner of a plant's triangle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Corner {
+    /// Metres.
+    pub position: Vec3,
+    /// Unit normal, of either side: it is turned to whoever looks.
+    pub normal: Vec3,
+    /// Added to the turned normal, so that a flat ribbon shades as a round one.
+    pub round: Vec3,
+    /// Linear reflectance.
+    pub albedo: Vec3,
+    /// 0 at the root of the plant, 1 at its tip.
+    pub height_share: f32,
+    /// What light has to pass here, relative to a blade of grass.
+    pub thickness: f32,
+}
+
+/// Three corners.
+pub(crate) type Triangle = [Corner; 3];

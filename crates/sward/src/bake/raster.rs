@@ -1,0 +1,384 @@
+//! A software rasteriser: triangles, seen in parallel, to texels. One thread a picture, so that the
+//! result does not depend on how many there are.
+
+use super::{Corner, Triangle};
+use glam::{Vec2, Vec3};
+
+/// What a picture shows: a rectangle across the direction of view.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Window {
+    /// Its middle, metres.
+    pub center: Vec3,
+    /// Unit direction to the right in the picture.
+    pub right: Vec3,
+    /// Unit direction up in the picture.
+    pub up: Vec3,
+    /// Half its width and height, metres.
+    pub half: Vec2,
+    /// Texels; row 0 is the top.
+    pub size: [u32; 2],
+    /// Samples a side of a texel, so that a texel has the square of it.
+    pub samples: u32,
+}
+
+/// What a texel holds: means over what covers it, and how much of it is covered.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Texel {
+    /// Linear reflectance.
+    pub albedo: Vec3,
+    /// Share that is covered, 0..=1.
+    pub alpha: f32,
+    /// On the eye's side; of unit length, or 0 where nothing is known.
+    pub normal: Vec3,
+    /// 0 at the root, 1 at the tip.
+    pub height_share: f32,
+    /// What light passes on its way through all that lies here, relative to a blade of grass.
+    pub thickness: f32,
+}
+
+impl Texel {
+    /// Nothing.
+    pub(crate) const EMPTY: Self = Self {
+        albedo: Vec3::ZERO,
+        alpha: 0.0,
+        normal: Vec3::ZERO,
+        height_share: 0.0,
+        thickness: 0.0,
+    };
+}
+
+/// A picture.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Tile {
+    /// Texels.
+    pub size: [u32; 2],
+    /// Row by row from the top.
+    pub texels: Vec<Texel>,
+}
+
+/// What shows at one sample.
+#[derive(Debug, Clone, Copy)]
+struct Hit {
+    /// Along the direction to the eye; larger is nearer.
+    depth: f32,
+    /// `u32::MAX` is none.
+    triangle: u32,
+    weights: Vec3,
+}
+
+const NONE: Hit = Hit { depth: f32::NEG_INFINITY, triangle: u32::MAX, weights: Vec3::ZERO };
+
+/// Triangles seen through a window, sample by sample.
+#[derive(Debug)]
+pub(crate) struct Seen<'a> {
+    window: Window,
+    triangles: &'a [Triangle],
+    hits: Vec<Hit>,
+    /// Thickness of all that covers a sample.
+    thickness: Vec<f32>,
+}
+
+impl Window {
+    /// Unit direction to the eye.
+    pub(crate) fn to_eye(self) -> Vec3 {
+        self.right.cross(self.up)
+    }
+
+    /// Samples a row and a column.
+    fn grid(&self) -> [u32; 2] {
+        self.size.map(|n| n * self.samples)
+    }
+
+    /// Place in samples, and depth.
+    fn project(&self, point: Vec3) -> Vec3 {
+        let [width, height] = self.grid().map(|n| n as f32 * 0.5);
+        let from = point - self.center;
+        let place = Vec2::new(from.dot(self.right), -from.dot(self.up)) / self.half;
+        Vec3::new((place.x + 1.0) * width, (place.y + 1.0) * height, from.dot(self.to_eye()))
+    }
+
+    /// Looks at triangles.
+    pub(crate) fn see<'a>(&self, triangles: &'a [Triangle]) -> Seen<'a> {
+        let count = self.grid().map(|n| n as usize).iter().product();
+        let mut seen =
+            Seen { window: *self, triangles, hits: vec![NONE; count], thickness: vec![0.0; count] };
+        for (index, triangle) in triangles.iter().enumerate() {
+            seen.add(index as u32, triangle);
+        }
+        seen
+    }
+}
+
+/// Where in the picture a sample lies: shifted from row to row and from column to column, or edges
+/// along the grid would all be off the same way.
+fn sample_place(x: u32, y: u32) -> Vec2 {
+    const GOLDEN: f32 = 0.618_034;
+    let shift = |i: u32| (i as f32 * GOLDEN).fract();
+    Vec2::new(x as f32 + shift(y), y as f32 + shift(x))
+}
+
+/// Whether what lies on an edge belongs to its triangle, and not to the one across.
+fn owns(from: Vec2, to: Vec2, area: f32) -> bool {
+    let along = (to - from) * area.signum();
+    along.y > 0.0 || along.y == 0.0 && along.x < 0.0
+}
+
+impl Seen<'_> {
+    fn add(&mut self, index: u32, triangle: &Triangle) {
+        let [a, b, c] = triangle.map(|corner| self.window.project(corner.position));
+        let cross = |p: Vec2, q: Vec2| p.perp_dot(q);
+        let (p, q, r) = (a.truncate(), b.truncate(), c.truncate());
+        let area = cross(q - p, r - p);
+        if !area.is_finite() || area == 0.0 {
+            return;
+        }
+        let [width, height] = self.window.grid();
+        let (low, high) = (p.min(q).min(r), p.max(q).max(r));
+        // A sample lies anywhere in its cell; the conversions saturate
+        let range = |low: f32, high: f32, end: u32| {
+            low.floor().max(0.0) as u32..(high.floor() + 1.0).clamp(0.0, end as f32) as u32
+        };
+        let owned = [owns(q, r, area), owns(r, p, area), owns(p, q, area)];
+        let depth = Vec3::new(a.z, b.z, c.z);
+        for y in range(low.y, high.y, height) {
+            for x in range(low.x, high.x, width) {
+                let s = sample_place(x, y);
+                let weights =
+                    Vec3::new(cross(r - q, s - q), cross(p - r, s - r), cross(q - p, s - p)) / area;
+                let inside = |i: usize| weights[i] > 0.0 || weights[i] == 0.0 && owned[i];
+                if !(inside(0) && inside(1) && inside(2)) {
+                    continue;
+                }
+                let at = (y * width + x) as usize;
+                self.thickness[at] += weights.dot(Vec3::from(triangle.map(|k| k.thickness)));
+                let hit = Hit { depth: weights.dot(depth), triangle: index, weights };
+                if hit.depth > self.hits[at].depth {
+                    self.hits[at] = hit;
+                }
+            }
+        }
+    }
+
+    /// What shows at a hit, its normal turned to the eye.
+    fn surface(&self, hit: &Hit) -> Option<Corner> {
+        let corners = self.triangles.get(hit.triangle as usize)?;
+        let mix = |part: &dyn Fn(&Corner) -> Vec3| {
+            part(&corners[0]) * hit.weights.x
+                + part(&corners[1]) * hit.weights.y
+                + part(&corners[2]) * hit.weights.z
+        };
+        let to_eye = self.window.to_eye();
+        // Each corner's for itself, as the vertices of a drawn blade are turned
+        let turned =
+            |c: &Corner| c.round + if c.normal.dot(to_eye) < 0.0 { -c.normal } else { c.normal };
+        let rest = mix(&|c| Vec3::new(c.height_share, c.thickness, 0.0));
+        Some(Corner {
+            position: mix(&|c| c.position),
+            normal: mix(&turned).normalize_or(to_eye),
+            round: Vec3::ZERO,
+            albedo: mix(&|c| c.albedo),
+            height_share: rest.x,
+            thickness: rest.y,
+        })
+    }
+
+    /// Every sample that something covers.
+    pub(crate) fn surfaces(&self) -> impl Iterator<Item = Corner> + '_ {
+        self.hits.iter().filter_map(|hit| self.surface(hit))
+    }
+
+    /// Share of the window that is covered.
+    pub(crate) fn coverage(&self) -> f32 {
+        let covered = self.hits.iter().filter(|hit| hit.triangle != u32::MAX).count();
+        covered as f32 / self.hits.len().max(1) as f32
+    }
+
+    /// The picture, its colours spread into the texels that are empty.
+    pub(crate) fn tile(&self) -> Tile {
+        let [width, height] = self.window.size;
+        let texels = (0..height)
+            .flat_map(|y| (0..width).map(move |x| (x, y)))
+            .map(|(x, y)| self.texel(x, y))
+            .collect();
+        let mut tile = Tile { size: self.window.size, texels };
+        tile.dilate();
+        tile
+    }
+
+    fn texel(&self, x: u32, y: u32) -> Texel {
+        let (side, row) = (self.window.samples, self.window.grid()[0]);
+        let mut sum = Texel::EMPTY;
+        for at in (0..side).flat_map(|j| (0..side).map(move |i| (i, j))) {
+            let at = ((y * side + at.1) * row + x * side + at.0) as usize;
+            let Some(surface) = self.surface(&self.hits[at]) else { continue };
+            sum.albedo += surface.albedo;
+            sum.normal += surface.normal;
+            sum.height_share += surface.height_share;
+            sum.thickness += self.thickness[at];
+            sum.alpha += 1.0;
+        }
+        sum.mean((side * side) as f32)
+    }
+}
+
+impl Texel {
+    /// Of a sum over the covered of so many samples, whose alpha counts them.
+    fn mean(self, samples: f32) -> Self {
+        if self.alpha <= 0.0 {
+            return Self::EMPTY;
+        }
+        Self {
+            albedo: self.albedo / self.alpha,
+            normal: self.normal.normalize_or_zero(),
+            height_share: self.height_share / self.alpha,
+            thickness: self.thickness / self.alpha,
+            alpha: self.alpha / samples,
+        }
+    }
+
+    /// What takes a place in a sum, weighted by how much it covers.
+    fn weighted(&self) -> Self {
+        Self {
+            albedo: self.albedo * self.alpha,
+            normal: self.normal * self.alpha,
+            height_share: self.height_share * self.alpha,
+            thickness: self.thickness * self.alpha,
+            alpha: self.alpha,
+        }
+    }
+}
+
+impl Tile {
+    /// Share that is covered: the mean alpha.
+    pub(crate) fn coverage(&self) -> f32 {
+        let sum: f64 = self.texels.iter().map(|t| f64::from(t.alpha)).sum();
+        (sum / self.texels.len().max(1) as f64) as f32
+    }
+
+    /// At half the size, each texel the mean of four, weighted by what they cover. An odd last row
+    /// or column counts twice.
+    pub(crate) fn halved(&self) -> Self {
+        let [width, height] = self.size;
+        let size = [(width / 2).max(1), (height / 2).max(1)];
+        let pick = |x: u32, y: u32| {
+            self.texels[(y.min(height - 1) * width + x.min(width - 1)) as usize].weighted()
+        };
+        let texel = |x: u32, y: u32| {
+            let mut sum = Texel::EMPTY;
+            for part in [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(i, j)| pick(2 * x + i, 2 * y + j)) {
+                sum.albedo += part.albedo;
+                sum.normal += part.normal;
+                sum.height_share += part.height_share;
+                sum.thickness += part.thickness;
+                sum.alpha += part.alpha;
+            }
+            sum.mean(4.0)
+        };
+        let texels =
+            (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y))).map(|(x, y)| texel(x, y));
+        Self { size, texels: texels.collect() }
+    }
+
+    /// Empty texels take the colour of what is nearest to them, level by level: else filtering
+    /// would mix the empty ones' black into the rims. Alpha stays.
+    pub(crate) fn dilate(&mut self) {
+        if self.size == [1, 1] || self.texels.iter().all(|t| t.alpha > 0.0) {
+            return;
+        }
+        let mut coarse = self.halved();
+        coarse.dilate();
+        let [width, _] = self.size;
+        for (index, texel) in self.texels.iter_mut().enumerate() {
+            if texel.alpha > 0.0 {
+                continue;
+            }
+            let (x, y) = (index as u32 % width / 2, index as u32 / width / 2);
+            let from = y.min(coarse.size[1] - 1) * coarse.size[0] + x.min(coarse.size[0] - 1);
+            *texel = Texel { alpha: 0.0, ..coarse.texels[from as usize] };
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::ribbon::tests::upright;
+    use super::*;
+    use crate::Shape;
+
+    fn window(size: u32, samples: u32) -> Window {
+        Window {
+            center: Vec3::Y * 0.5,
+            right: Vec3::X,
+            up: Vec3::Y,
+            half: Vec2::splat(0.5),
+            size: [size; 2],
+            samples,
+        }
+    }
+
+    fn blade(shape: Shape, z: f32, shade: f32) -> Vec<Triangle> {
+        let mut ribbon = upright(shape, 0.0);
+        ribbon.curve = ribbon.curve.map(|p| p + Vec3::Z * z);
+        let mut list = Vec::new();
+        ribbon.triangles(|_| Vec3::splat(shade), &mut list);
+        list
+    }
+
+    #[test]
+    fn coverage_is_the_area() {
+        for (shape, share) in [(Shape::Quad, 0.2), (Shape::TriangleTip { tip: 0.5 }, 0.15)] {
+            let list = blade(shape, 0.0, 0.5);
+            let seen = window(64, 4).see(&list);
+            assert!((seen.coverage() - share).abs() < 2e-3, "{shape:?}: {}", seen.coverage());
+            let tile = seen.tile();
+            assert!((tile.coverage() - seen.coverage()).abs() < 1e-6);
+            assert!((tile.halved().coverage() - seen.coverage()).abs() < 1e-6);
+        }
+    }
+
+    /// A sample on the edge that two triangles share belongs to one of them: no gaps, and the
+    /// thickness of a single ribbon is nowhere 2.
+    #[test]
+    fn there_are_no_gaps() {
+        let list = blade(Shape::Quad, 0.0, 0.5);
+        let seen = window(61, 3).see(&list);
+        let tile = seen.tile();
+        assert!(tile.texels.iter().filter(|t| t.alpha == 1.0).count() > 61 * 10);
+        let drawn = tile.texels.iter().filter(|t| t.alpha > 0.0);
+        assert!(drawn.into_iter().all(|t| (t.thickness - 1.0).abs() < 1e-5));
+    }
+
+    #[test]
+    fn the_nearer_hides_the_farther_whichever_comes_first() {
+        let (near, far) = (blade(Shape::Quad, 0.1, 1.0), blade(Shape::Quad, -0.1, 0.0));
+        for list in [[near.clone(), far.clone()].concat(), [far, near].concat()] {
+            let tile = window(32, 2).see(&list).tile();
+            let middle = tile.texels[16 * 32 + 16];
+            assert_eq!((middle.albedo, middle.alpha), (Vec3::ONE, 1.0));
+            assert_eq!(middle.thickness, 2.0, "light passes both");
+            assert_eq!(middle.normal, Vec3::Z, "towards the eye");
+        }
+    }
+
+    /// The mean of a texture that is drawn with its rims filtered is no darker than the plant.
+    #[test]
+    fn empty_texels_take_a_colour_and_no_cover() {
+        let list = blade(Shape::Triangle, 0.0, 0.7);
+        let tile = window(32, 4).see(&list).tile();
+        assert!(tile.texels.iter().any(|t| t.alpha == 0.0));
+        assert!(tile.texels.iter().all(|t| (t.albedo - 0.7).abs().max_element() < 1e-5));
+        let nothing = window(8, 2).see(&[]).tile();
+        assert!(nothing.texels.iter().all(|t| *t == Texel::EMPTY));
+    }
+
+    /// What is not finite or has no area is left out.
+    #[test]
+    fn broken_triangles_are_left_out() {
+        let mut list = blade(Shape::Quad, 0.0, 0.5);
+        list[0][0].position.x = f32::NAN;
+        list[1][0].position = Vec3::splat(f32::INFINITY);
+        list.push([list[2][0]; 3]);
+        let seen = window(16, 2).see(&list);
+        assert!(seen.surfaces().all(|s| s.albedo.is_finite() && s.normal.is_normalized()));
+    }
+}
