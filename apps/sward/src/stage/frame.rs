@@ -1,7 +1,8 @@
 //! What every pass round the grass reads: camera, light, settings.
 
+use super::reference::Crop;
 use bytemuck::{Pod, Zeroable};
-use glam::{Mat4, Vec2, Vec3, Vec4};
+use glam::{Mat4, Vec2, Vec4};
 use sward::Light;
 use sward_scene::{Camera, Scene};
 use wgpu::util::DeviceExt;
@@ -22,7 +23,7 @@ pub(super) struct GpuStageFrame {
     horizon: Vec4,
     haze: Vec4,
     exposure: f32,
-    weight: f32,
+    samples_a_side: f32,
     reserved: Vec2,
 }
 
@@ -43,13 +44,12 @@ pub(super) struct CameraMatrices {
 }
 
 impl CameraMatrices {
-    /// `jitter_px` shifts the picture by parts of a pixel.
-    pub fn new(camera: &Camera, [width, height]: [u32; 2], jitter_px: Vec2) -> Self {
-        let shift = jitter_px * 2.0 / Vec2::new(width as f32, height as f32);
-        let jitter = Mat4::from_translation(Vec3::new(shift.x, shift.y, 0.0));
+    /// `size` is that of the whole picture.
+    pub fn new(camera: &Camera, size: [u32; 2], crop: Crop) -> Self {
+        let [width, height] = size.map(|side| side as f32);
         Self {
             view_from_world: camera.view_from_world(),
-            clip_from_view: jitter * camera.clip_from_view(width as f32 / height as f32),
+            clip_from_view: crop.clip_from_picture(size) * camera.clip_from_view(width / height),
         }
     }
 }
@@ -69,7 +69,7 @@ impl FrameUniform {
             horizon: scene.sky.horizon.extend(0.0),
             haze: light.haze.extend(light.haze_per_m),
             exposure: 1.0,
-            weight: 1.0,
+            samples_a_side: 1.0,
             reserved: Vec2::ZERO,
         };
         let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
@@ -99,13 +99,13 @@ impl FrameUniform {
     }
 
     /// Takes effect with the next submission.
-    pub fn write(&mut self, queue: &wgpu::Queue, camera: CameraMatrices, weight: f32) {
+    pub fn write(&mut self, queue: &wgpu::Queue, camera: CameraMatrices, samples_a_side: f32) {
         let world_from_view = camera.view_from_world.inverse();
         self.values.clip_from_world = camera.clip_from_view * camera.view_from_world;
         self.values.view_from_clip = camera.clip_from_view.inverse();
         self.values.world_from_view = world_from_view;
         self.values.eye = world_from_view.w_axis;
-        self.values.weight = weight;
+        self.values.samples_a_side = samples_a_side;
         queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(&self.values));
     }
 }
@@ -146,7 +146,7 @@ mod tests {
             horizon,
             haze,
             exposure,
-            weight,
+            samples_a_side,
             reserved
         ];
         let theirs: Vec<_> = members

@@ -18,8 +18,8 @@ struct GpuStageFrame {
     // rgb colour of the haze, w share of the light lost to it a metre
     haze: vec4<f32>,
     exposure: f32,
-    // Weight of this picture in the accumulated one
-    weight: f32,
+    // Samples of the target that a side of a pixel has: what is a pixel wide is so many of them
+    samples_a_side: f32,
     reserved: vec2<f32>,
 }
 

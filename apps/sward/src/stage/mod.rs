@@ -12,6 +12,7 @@ mod opaque;
 mod options;
 mod passes;
 mod readback;
+mod reference;
 mod resume;
 mod shapes;
 mod targets;
@@ -23,18 +24,15 @@ pub use options::{StageOptions, no_culling};
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
 use anyhow::{Context, Result};
 use frame::{CameraMatrices, FrameUniform};
-use glam::Vec2;
 use image::RgbImage;
 use movers::Movers;
 use opaque::Opaque;
 use options::view;
-use passes::{Accumulator, Passes};
+use passes::Passes;
+use reference::{Crop, Supersampled};
 use sward::{Field, Frame, Light, Renderer, Statistics, Wind};
 use sward_scene::{Scene, SceneWind};
 use targets::Targets;
-
-/// Renders a side that a reference adds up: 8 x 8 places inside a pixel, one sample each.
-const REFERENCE_GRID: u32 = 8;
 
 /// A scene with its grass, ready to be stepped and drawn.
 #[derive(Debug)]
@@ -55,7 +53,10 @@ pub struct Stage {
     /// At the step before.
     last_time_s: f64,
     warm_up_s: f64,
-    jitter_px: Vec2,
+    /// The part of the picture that is drawn.
+    crop: Crop,
+    /// What a reference is drawn to, once there was one.
+    supersampled: Option<Supersampled>,
     /// Whether the depth target holds the opaque things of this time, and nothing else.
     depth_is_opaque: bool,
 }
@@ -89,6 +90,7 @@ impl Stage {
         }
         let uniform = FrameUniform::new(device, scene, &light);
         let targets = Targets::new(device, options.size, samples);
+        let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);
         let opaque = Opaque::new(gpu, &uniform, scene, &movers, samples);
         let passes = Passes::new(device, &uniform, &targets, samples);
@@ -109,10 +111,11 @@ impl Stage {
             time_s: -warm_up_s,
             last_time_s: -warm_up_s,
             warm_up_s,
-            jitter_px: Vec2::ZERO,
+            crop,
+            supersampled: None,
             depth_is_opaque: false,
         };
-        stage.write_camera(1.0);
+        stage.write_camera();
         stage.gpu.wait()?;
         Ok(stage)
     }
@@ -163,32 +166,6 @@ impl Stage {
             self.submit(encoder);
         }
         readback::read(&self.gpu, &self.targets.picture)
-    }
-
-    fn render_reference(&mut self) -> Result<()> {
-        let mut sum = Accumulator::new(&self.gpu.device, &self.uniform, &self.targets);
-        let step = 1.0 / REFERENCE_GRID as f32;
-        for i in 0..REFERENCE_GRID * REFERENCE_GRID {
-            let cell = Vec2::new((i % REFERENCE_GRID) as f32, (i / REFERENCE_GRID) as f32);
-            self.jitter_px = (cell + 0.5) * step - 0.5;
-            self.depth_is_opaque = false;
-            self.write_camera(step * step);
-            let mut encoder = self.encoder();
-            self.encode_opaque(&mut encoder);
-            self.encode_cull(&mut encoder)?;
-            self.encode_draw(&mut encoder);
-            sum.add(&self.gpu.device, &mut encoder, &self.uniform, self.targets.linear());
-            self.submit(encoder);
-            self.gpu.wait()?;
-        }
-        self.jitter_px = Vec2::ZERO;
-        self.depth_is_opaque = false;
-        self.write_camera(1.0);
-        let mut encoder = self.encoder();
-        let device = &self.gpu.device;
-        self.passes.run_post_from(device, &mut encoder, &self.uniform, &self.targets, sum.sum());
-        self.submit(encoder);
-        Ok(())
     }
 
     /// Records one step of the simulation.
@@ -245,7 +222,7 @@ impl Stage {
     /// # Errors
     /// Where the camera is none.
     pub fn encode_cull(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<()> {
-        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        let view = view(&self.options, self.matrices(), self.crop.size, &self.targets.depth);
         Ok(self.renderer.cull(&self.gpu.device, encoder, &[view])?)
     }
 
@@ -254,13 +231,13 @@ impl Stage {
     /// # Errors
     /// Where the camera is none.
     pub fn encode_prepare(&mut self, encoder: &mut wgpu::CommandEncoder) -> Result<()> {
-        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        let view = view(&self.options, self.matrices(), self.crop.size, &self.targets.depth);
         Ok(self.renderer.prepare_view(&self.gpu.device, encoder, 0, &view)?)
     }
 
     /// Records one stage of [`Stage::encode_cull`], so that it can be timed.
     pub fn encode_stage(&self, encoder: &mut wgpu::CommandEncoder, stage: sward::Stage) {
-        let view = view(&self.options, self.matrices(), &self.targets.depth);
+        let view = view(&self.options, self.matrices(), self.crop.size, &self.targets.depth);
         self.renderer.encode_stage(&self.gpu.device, encoder, stage, 0, &view);
     }
 
@@ -322,18 +299,18 @@ impl Stage {
             return;
         }
         self.depth_is_opaque = false;
-        let camera = if culling { self.matrices() } else { self.options.drawn_from() };
-        self.uniform.write(&self.gpu.queue, camera, 1.0);
+        let camera = if culling { self.matrices() } else { self.options.drawn_from(self.crop) };
+        self.uniform.write(&self.gpu.queue, camera, self.crop.side);
     }
 
     /// The camera that blades are culled for.
     fn matrices(&self) -> CameraMatrices {
-        self.options.culled_from(self.jitter_px)
+        self.options.culled_from(self.crop)
     }
 
-    fn write_camera(&mut self, weight: f32) {
+    fn write_camera(&mut self) {
         let camera = self.matrices();
-        self.uniform.write(&self.gpu.queue, camera, weight);
+        self.uniform.write(&self.gpu.queue, camera, self.crop.side);
     }
 
     /// An encoder to record into.

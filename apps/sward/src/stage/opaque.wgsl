@@ -55,9 +55,9 @@ fn opaque_vertex(in: VertexIn) -> Surfel {
 fn striped(plain: vec3<f32>, stripe: vec4<f32>, uv: vec2<f32>) -> vec3<f32> {
     // The seam of the longitudes jumps; it lies where a stripe ends, so its width may be that of v
     let along = abs(fract(uv.x * stripe.w) - 0.5) - 0.25;
-    let along_px = max(length(vec2(dpdx(uv.y), dpdy(uv.y))) * stripe.w, 1e-6);
+    let along_px = max(length(vec2(dpdx(uv.y), dpdy(uv.y))) * frame.samples_a_side * stripe.w, 1e-6);
     let cap = abs(uv.y - 0.5) - 0.44;
-    let cap_px = max(fwidth(uv.y), 1e-6);
+    let cap_px = max(fwidth(uv.y) * frame.samples_a_side, 1e-6);
     let share = max(
         clamp(along / along_px + 0.5, 0.0, 1.0),
         clamp(cap / cap_px + 0.5, 0.0, 1.0),
@@ -78,8 +78,8 @@ fn gloss(n: vec3<f32>, v: vec3<f32>, l: vec3<f32>, roughness: f32) -> f32 {
 
 @fragment
 fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let pixel_m = length(fwidth(in.world));
-    let texel = textureSample(base_texture, base_sampler, in.uv).rgb;
+    let pixel_m = length(fwidth(in.world)) * frame.samples_a_side;
+    let texel = textureSampleBias(base_texture, base_sampler, in.uv, log2(frame.samples_a_side)).rgb;
     let v = normalize(frame.eye.xyz - in.world);
     // A zero normal, as a degenerate corner has, must not become NaN.
     var n = in.normal / max(length(in.normal), 1e-12);

@@ -1,8 +1,8 @@
 //! How a scene is drawn, and the view that the renderer takes from it.
 
 use super::frame::CameraMatrices;
+use super::reference::Crop;
 use anyhow::Result;
-use glam::Vec2;
 use sward::{ColorRange, Culling, DebugView, Observer, PhysicsModel, View};
 use sward_scene::{Camera, Scene};
 
@@ -55,30 +55,33 @@ impl StageOptions {
     }
 
     /// The camera of the picture.
-    pub(super) fn drawn_from(&self) -> CameraMatrices {
-        CameraMatrices::new(&self.camera, self.size, Vec2::ZERO)
+    pub(super) fn drawn_from(&self, crop: Crop) -> CameraMatrices {
+        CameraMatrices::new(&self.camera, self.size, crop)
     }
 
-    /// The camera that blades are culled for, shifted by parts of a pixel.
-    pub(super) fn culled_from(&self, jitter_px: Vec2) -> CameraMatrices {
+    /// The camera that blades are culled for.
+    pub(super) fn culled_from(&self, crop: Crop) -> CameraMatrices {
         let camera = self.culling_camera.as_ref().unwrap_or(&self.camera);
-        CameraMatrices::new(camera, self.size, jitter_px)
+        CameraMatrices::new(camera, self.size, crop)
     }
 }
 
-/// The renderer's view of the camera.
+/// The renderer's view of the camera. `size` is in pixels of the picture, of which a reference's
+/// target has many samples each: what is chosen by size in pixels must not see them.
 pub(super) fn view<'a>(
     options: &StageOptions,
     camera: CameraMatrices,
+    size: [u32; 2],
     opaque_depth: &'a wgpu::TextureView,
 ) -> View<'a> {
-    let mut view = View::new(camera.view_from_world, camera.clip_from_view, options.size);
+    let mut view = View::new(camera.view_from_world, camera.clip_from_view, size);
     view.opaque_depth = Some(opaque_depth);
     view.culling = options.culling;
     view.level = options.level;
     view.debug = options.debug;
     view.observer = options.culling_camera.as_ref().map(|_| {
-        let CameraMatrices { view_from_world, clip_from_view } = options.drawn_from();
+        let CameraMatrices { view_from_world, clip_from_view } =
+            options.drawn_from(Crop::whole(options.size));
         Observer { view_from_world, clip_from_view }
     });
     if options.reference {

@@ -2,10 +2,8 @@
 
 use super::frame::FrameUniform;
 use super::fullscreen::{Fullscreen, FullscreenDesc};
-use super::targets::{Targets, texture};
+use super::targets::Targets;
 use crate::gpu::COLOR_FORMAT;
-
-const SUM_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
 /// A full-screen pass with its inputs.
 #[derive(Debug)]
@@ -78,53 +76,5 @@ impl Passes {
     ) {
         let inputs = self.post.pass.bind(device, &[color]);
         self.post.pass.run(encoder, &targets.picture_view, &frame.group, &inputs);
-    }
-}
-
-/// A weighted sum of pictures in linear light, 32 bits a channel.
-#[derive(Debug)]
-pub(super) struct Accumulator {
-    pass: Fullscreen,
-    sums: [wgpu::TextureView; 2],
-    added: usize,
-}
-
-impl Accumulator {
-    /// Starts at zero, as new textures are.
-    pub fn new(device: &wgpu::Device, frame: &FrameUniform, targets: &Targets) -> Self {
-        let desc = FullscreenDesc {
-            name: "accumulate",
-            source: include_str!("accumulate.wgsl"),
-            format: SUM_FORMAT,
-            samples: 1,
-            inputs: 2,
-            background: false,
-        };
-        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-        let sum = || {
-            texture(device, "sward.stage.sum", targets.size, SUM_FORMAT, 1, usage)
-                .create_view(&Default::default())
-        };
-        let pass = Fullscreen::new(device, &frame.layout, &desc);
-        Self { pass, sums: [sum(), sum()], added: 0 }
-    }
-
-    /// Adds the frame's picture, times the frame's weight.
-    pub fn add(
-        &mut self,
-        device: &wgpu::Device,
-        encoder: &mut wgpu::CommandEncoder,
-        frame: &FrameUniform,
-        picture: &wgpu::TextureView,
-    ) {
-        let (from, to) = (self.added % 2, (self.added + 1) % 2);
-        let inputs = self.pass.bind(device, &[picture, &self.sums[from]]);
-        self.pass.run(encoder, &self.sums[to], &frame.group, &inputs);
-        self.added += 1;
-    }
-
-    /// The sum so far.
-    pub fn sum(&self) -> &wgpu::TextureView {
-        &self.sums[self.added % 2]
     }
 }

@@ -5,7 +5,6 @@ use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT};
 /// Colour, depth and the final picture of one size and sample count.
 #[derive(Debug)]
 pub(super) struct Targets {
-    pub size: [u32; 2],
     /// Multisampled where `resolved` is there.
     pub color: wgpu::TextureView,
     pub resolved: Option<wgpu::TextureView>,
@@ -16,6 +15,20 @@ pub(super) struct Targets {
 
 impl Targets {
     pub fn new(device: &wgpu::Device, size: [u32; 2], samples: u32) -> Self {
+        Self::with_picture(device, size, samples, size)
+    }
+
+    /// One sample, and no picture to speak of: what is averaged before it becomes one.
+    pub fn without_picture(device: &wgpu::Device, size: [u32; 2]) -> Self {
+        Self::with_picture(device, size, 1, [1; 2])
+    }
+
+    fn with_picture(
+        device: &wgpu::Device,
+        size: [u32; 2],
+        samples: u32,
+        picture_size: [u32; 2],
+    ) -> Self {
         use wgpu::TextureUsages as U;
         let (draw, read) = (U::RENDER_ATTACHMENT, U::TEXTURE_BINDING);
         let view = |label, format, samples, usage| {
@@ -23,10 +36,10 @@ impl Targets {
         };
         let color_usage = if samples > 1 { draw } else { draw | read };
         let picture_format = wgpu::TextureFormat::Rgba8Unorm;
-        let picture =
-            texture(device, "sward.stage.picture", size, picture_format, 1, draw | U::COPY_SRC);
+        let picture_usage = draw | U::COPY_SRC;
+        let name = "sward.stage.picture";
+        let picture = texture(device, name, picture_size, picture_format, 1, picture_usage);
         Self {
-            size,
             color: view("sward.stage.color", COLOR_FORMAT, samples, color_usage),
             resolved: (samples > 1)
                 .then(|| view("sward.stage.resolved", COLOR_FORMAT, 1, draw | read)),
