@@ -61,6 +61,7 @@ pub struct GpuFrame {
     pub sky: [f32; 4],
     pub ground: [f32; 4],
     pub haze: [f32; 4],
+    pub sway: [f32; 4],
     pub dt_s: f32,
     pub gravity_blend: f32,
     pub crush_decay: f32,

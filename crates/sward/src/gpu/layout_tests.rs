@@ -37,6 +37,7 @@ fn structs() -> Vec<Expected> {
             sky,
             ground,
             haze,
+            sway,
             dt_s,
             gravity_blend,
             crush_decay,

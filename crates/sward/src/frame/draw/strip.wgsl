@@ -1,0 +1,201 @@
+// Strips (O section 4): a plant is two textured triangle strips that share their middle line, each
+// turned out of the blade's plane. One instance is 64 plants.
+
+// Segments along the strip, and in how many it turns as it becomes the next level's: a divisor
+override SEGMENTS: u32 = 6u;
+override COARSE: u32 = 2u;
+// Of the target: with one sample alpha is tested, with more it is coverage
+override SAMPLES: u32 = 1u;
+
+struct StripVertex {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) @interpolate(perspective, centroid) normal: vec3<f32>,
+    @location(1) @interpolate(perspective, centroid) side: vec3<f32>,
+    @location(2) @interpolate(perspective, centroid) tint: vec3<f32>,
+    @location(3) @interpolate(perspective, centroid) position: vec3<f32>,
+    // Across -1..1, share of the length 0..1
+    @location(4) @interpolate(perspective, centroid) place: vec2<f32>,
+    @location(5) @interpolate(flat) up: vec3<f32>,
+    // Light at the roots, lean
+    @location(6) @interpolate(flat) canopy: vec2<f32>,
+    // Layer of its picture, species
+    @location(7) @interpolate(flat) look: vec2<u32>,
+}
+
+// Behind the near plane.
+const HIDDEN: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);
+// Dry grass, which O mixes into the tint of each blade by chance.
+const ORANGE: vec3<f32> = vec3<f32>(0.42, 0.2, 0.035);
+// Share of the light that a strip's own picture takes off in the mean.
+const PICTURE_MEAN: f32 = 0.55;
+
+// Curve parameter at a share of the length, for a speed that runs evenly from the root's to the tip's.
+fn parameter_of(share: f32, knee: vec3<f32>, tip: vec3<f32>) -> f32 {
+    let a = length(knee);
+    let b = length(tip - knee);
+    let root = sqrt(max(a * a + share * (b * b - a * a), 0.0));
+    return clamp(share * (a + b) / max(a + root, 1e-6), 0.0, 1.0);
+}
+
+fn turned_about(v: vec3<f32>, axis: vec3<f32>, angle: f32) -> vec3<f32> {
+    let c = cos(angle);
+    return v * c + cross(axis, v) * sin(angle) + axis * (dot(axis, v) * (1.0 - c));
+}
+
+// What bends a strip beyond its curve: O's sinusoid, on which each plant has a phase of its own.
+struct Sway {
+    axis: vec3<f32>,
+    // Radians at the tip
+    angle: f32,
+}
+
+fn sway_of(blade: Blade, tip: vec3<f32>) -> Sway {
+    let wind = vec3<f32>(frame.sway.x, 0.0, frame.sway.y);
+    let axis = cross(blade.up, wind);
+    let strength = length(axis);
+    if strength < 1e-6 {
+        return Sway(blade.facing, 0.0);
+    }
+    let phase = frame.sway.z + 6.2831853 * hash01(blade.id, 24u);
+    // One that lies on the ground has no room to sway
+    let upright = clamp(1.5 * dot(tip, blade.up), 0.0, 1.0);
+    let reach = min(strength * blade.gust, 2.0) * species_table[blade.species].look_values.y;
+    return Sway(axis / strength, reach * upright * sin(phase));
+}
+
+struct StripPoint {
+    position: vec3<f32>,
+    normal: vec3<f32>,
+    side: vec3<f32>,
+}
+
+// A point of the surface: `share` of the length, `across` from -1 to 1.
+fn strip_point(blade: Blade, tip: vec3<f32>, sway: Sway, width: f32, share: f32, across: f32) -> StripPoint {
+    let knee = middle_point(tip, blade.up, blade.arch);
+    let t = parameter_of(share, knee, tip);
+    let center = knee * (2.0 * t * (1.0 - t)) + tip * (t * t);
+    var along = unit_or(knee * (1.0 - 2.0 * t) + tip * t, blade.up);
+    let flat_side = cross(blade.up, blade.facing);
+    var side = unit_or(flat_side - along * dot(flat_side, along), flat_side);
+    var normal = cross(side, along);
+    // Grown from the root: each ring is bent further than the one below it
+    let angle = sway.angle * share;
+    let swayed = turned_about(center, sway.axis, angle);
+    side = turned_about(side, sway.axis, angle);
+    normal = turned_about(normal, sway.axis, angle);
+    let fold = 0.5 * species_table[blade.species].look_values.x;
+    let edge = side * (across * cos(fold)) + normal * (abs(across) * sin(fold));
+    let position = blade.root + swayed * blade.height + edge * (0.5 * width);
+    return StripPoint(position, normal, side);
+}
+
+// The same, moved onto the edges of the coarser strip as the plant turns into it.
+fn morphed_point(blade: Blade, tip: vec3<f32>, sway: Sway, width: f32, ring: u32, across: f32, morph: f32) -> StripPoint {
+    let n = f32(SEGMENTS);
+    var own = strip_point(blade, tip, sway, width, f32(ring) / n, across);
+    let step = SEGMENTS / COARSE;
+    let below = ring / step * step;
+    if morph <= 0.0 || below == ring {
+        return own;
+    }
+    let low = strip_point(blade, tip, sway, width, f32(below) / n, across);
+    let high = strip_point(blade, tip, sway, width, f32(below + step) / n, across);
+    let part = f32(ring - below) / f32(step);
+    own.position = mix(own.position, mix(low.position, high.position, part), morph);
+    own.normal = mix(own.normal, mix(low.normal, high.normal, part), morph);
+    own.side = mix(own.side, mix(low.side, high.side, part), morph);
+    return own;
+}
+
+fn strip_width(blade: Blade, fade: f32) -> f32 {
+    let distance = distance_to(blade.root + blade.up * (0.5 * blade.height));
+    let width = blade.width * fade;
+    if has(CULL_DISTANCE) && !has(CULL_PAPER) {
+        return width * widening(keep_share(blade.width * pixels_per_metre(distance)));
+    }
+    return width;
+}
+
+@vertex
+fn vs_strip(
+    @builtin(vertex_index) vertex: u32,
+    @builtin(instance_index) instance: u32,
+) -> StripVertex {
+    let listed = listed_plant(vertex, instance);
+    var out: StripVertex;
+    out.clip = HIDDEN;
+    if listed.hidden {
+        return out;
+    }
+    let blade = unpack_blade(listed.index);
+    let tip = unpack_state(blade, dynamics[listed.index]).tip;
+    let kind = species_table[blade.species];
+    let corner = vertex % VERTICES;
+    let ring = corner / 3u;
+    let across = f32(corner % 3u) - 1.0;
+    let share = f32(ring) / f32(SEGMENTS);
+    let sway = sway_of(blade, tip);
+    let width = strip_width(blade, listed.fade);
+    let point = morphed_point(blade, tip, sway, width, ring, across, listed.morph);
+    out.clip = view.clip_from_world * vec4<f32>(point.position, 1.0);
+    out.position = point.position;
+    out.normal = point.normal;
+    out.side = point.side;
+    let own = blade_color(blade, share * (1.5 - 0.5 * share));
+    let dry = hash01(blade.id, 23u);
+    out.tint = mix(own, ORANGE * (0.4 + 0.6 * share), dry * dry * kind.look_values.z);
+    out.place = vec2<f32>(across, share);
+    out.up = blade.up;
+    let lean = min(length(tip - blade.up * dot(tip, blade.up)), 1.0);
+    out.canopy = vec2<f32>(kind.form.z, lean);
+    out.look = vec2<u32>(strip_layer(blade), blade.species);
+    return out;
+}
+
+// Which of its species' pictures a plant has.
+fn strip_layer(blade: Blade) -> u32 {
+    let look = species_table[blade.species].look;
+    let pick = u32(hash01(blade.id, 25u) * f32(look.z));
+    return look.y + min(pick, max(look.z, 1u) - 1u);
+}
+
+// The strip that a point across lies on, roughened by its picture, on the eye's side.
+fn strip_normal(in: StripVertex, picture: vec3<f32>, to_eye: vec3<f32>) -> vec3<f32> {
+    let fold = 0.5 * species_table[in.look.y].look_values.x;
+    let hand = select(-1.0, 1.0, in.place.x >= 0.0);
+    let face = in.normal * cos(fold) - in.side * (hand * sin(fold));
+    let around = in.side * cos(fold) + in.normal * (hand * sin(fold));
+    let bent = unit_or(face + around * (picture.x * 2.0 - 1.0), in.up);
+    return select(-bent, bent, dot(face, to_eye) >= 0.0);
+}
+
+@fragment
+fn fs_strip(in: StripVertex) -> @location(0) vec4<f32> {
+    // Row 0 of a picture is the tip
+    let uv = vec2<f32>(0.5 + 0.5 * in.place.x, 1.0 - in.place.y);
+    let texel = textureSample(plant_color, picture_sampler, uv, in.look.x);
+    let relief = textureSample(plant_normal, picture_sampler, uv, in.look.x);
+    let sharp = (texel.a - 0.5) / max(fwidth(texel.a), 1e-3) + 0.5;
+    var alpha = 1.0;
+    if SAMPLES == 1u {
+        if texel.a < 0.5 {
+            discard;
+        }
+    } else {
+        alpha = clamp(sharp, 0.0, 1.0);
+        if alpha <= 0.0 {
+            discard;
+        }
+    }
+    let to_eye = -view_ray(in.position);
+    var surface: BladeSurface;
+    // Square root encoded
+    surface.albedo = in.tint * texel.rgb * texel.rgb / PICTURE_MEAN;
+    surface.normal = strip_normal(in, relief.xyz, to_eye);
+    surface.up = in.up;
+    surface.height_share = in.place.y;
+    surface.root_open = in.canopy.x;
+    surface.lean = in.canopy.y;
+    let color = with_haze(shade_blade(surface, to_eye), distance_to(in.position));
+    return vec4<f32>(max(color, vec3<f32>(0.0)), alpha);
+}
