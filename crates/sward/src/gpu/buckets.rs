@@ -1,6 +1,6 @@
 //! Which draw lists the plants of a page may be in.
 
-use super::layout::{BLADE_BUCKETS, BUCKETS};
+use super::layout::{BLADE_BUCKETS, BUCKETS, STRIP_BUCKETS};
 use super::quantize::has_flat_tip;
 use crate::{Species, Technique};
 
@@ -12,8 +12,8 @@ impl Buckets {
     /// Those that plants of these species may be in, in a view of that technique.
     pub fn of(species: &[Species], technique: Technique) -> Self {
         match technique {
+            Technique::Strips => Self(STRIP_BUCKETS.fold(0, |all, bucket| all | 1 << bucket)),
             Technique::Blades
-            | Technique::Strips
             | Technique::Billboards
             | Technique::Continuum => Self::blades(species),
         }

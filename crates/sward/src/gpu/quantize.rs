@@ -216,7 +216,10 @@ fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies
         }),
         colors: [root.from, root.to, top.from, top.to].map(pack_color),
         look: [species.form.number(), 0, 0, 0],
-        look_values: [0.0; 4],
+        look_values: match species.form {
+            Form::Strip(strip) => strip.values(),
+            _ => [0.0; 4],
+        },
     }
 }
 

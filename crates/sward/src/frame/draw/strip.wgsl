@@ -59,7 +59,7 @@ fn sway_of(blade: Blade, tip: vec3<f32>) -> Sway {
     let phase = frame.sway.z + 6.2831853 * hash01(blade.id, 24u);
     // One that lies on the ground has no room to sway
     let upright = clamp(1.5 * dot(tip, blade.up), 0.0, 1.0);
-    let reach = min(strength * blade.gust, 2.0) * species_table[blade.species].look_values.y;
+    let reach = min(strength * blade.gust, 2.0) * strip_values(blade.species).y;
     return Sway(axis / strength, reach * upright * sin(phase));
 }
 
@@ -83,7 +83,7 @@ fn strip_point(blade: Blade, tip: vec3<f32>, sway: Sway, width: f32, share: f32,
     let swayed = turned_about(center, sway.axis, angle);
     side = turned_about(side, sway.axis, angle);
     normal = turned_about(normal, sway.axis, angle);
-    let fold = 0.5 * species_table[blade.species].look_values.x;
+    let fold = 0.5 * strip_values(blade.species).x;
     let edge = side * (across * cos(fold)) + normal * (abs(across) * sin(fold));
     let position = blade.root + swayed * blade.height + edge * (0.5 * width);
     return StripPoint(position, normal, side);
@@ -143,7 +143,7 @@ fn vs_strip(
     out.side = point.side;
     let own = blade_color(blade, share * (1.5 - 0.5 * share));
     let dry = hash01(blade.id, 23u);
-    out.tint = mix(own, ORANGE * (0.4 + 0.6 * share), dry * dry * kind.look_values.z);
+    out.tint = mix(own, ORANGE * (0.4 + 0.6 * share), dry * dry * strip_values(blade.species).z);
     out.place = vec2<f32>(across, share);
     out.up = blade.up;
     let lean = min(length(tip - blade.up * dot(tip, blade.up)), 1.0);
@@ -155,13 +155,17 @@ fn vs_strip(
 // Which of its species' pictures a plant has.
 fn strip_layer(blade: Blade) -> u32 {
     let look = species_table[blade.species].look;
+    if look.x != FORM_STRIP {
+        // The last is the plain blade of strips
+        return textureNumLayers(plant_color) - 1u;
+    }
     let pick = u32(hash01(blade.id, 25u) * f32(look.z));
     return look.y + min(pick, max(look.z, 1u) - 1u);
 }
 
 // The strip that a point across lies on, roughened by its picture, on the eye's side.
 fn strip_normal(in: StripVertex, picture: vec3<f32>, to_eye: vec3<f32>) -> vec3<f32> {
-    let fold = 0.5 * species_table[in.look.y].look_values.x;
+    let fold = 0.5 * strip_values(in.look.y).x;
     let hand = select(-1.0, 1.0, in.place.x >= 0.0);
     let face = in.normal * cos(fold) - in.side * (hand * sin(fold));
     let around = in.side * cos(fold) + in.normal * (hand * sin(fold));
