@@ -31,6 +31,7 @@ pub(super) struct GpuStageFrame {
 #[derive(Debug)]
 pub(super) struct FrameUniform {
     values: GpuStageFrame,
+    camera: CameraMatrices,
     buffer: wgpu::Buffer,
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
@@ -95,12 +96,22 @@ impl FrameUniform {
             layout: &layout,
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
         });
-        Self { values, buffer, layout, group }
+        let camera = CameraMatrices {
+            view_from_world: Mat4::IDENTITY,
+            clip_from_view: Mat4::IDENTITY,
+        };
+        Self { values, camera, buffer, layout, group }
+    }
+
+    /// The camera that was written last.
+    pub fn camera(&self) -> CameraMatrices {
+        self.camera
     }
 
     /// Takes effect with the next submission.
     pub fn write(&mut self, queue: &wgpu::Queue, camera: CameraMatrices, samples_a_side: f32) {
         let world_from_view = camera.view_from_world.inverse();
+        self.camera = camera;
         self.values.clip_from_world = camera.clip_from_view * camera.view_from_world;
         self.values.view_from_clip = camera.clip_from_view.inverse();
         self.values.world_from_view = world_from_view;

@@ -15,6 +15,7 @@ mod readback;
 mod reference;
 mod resume;
 mod shapes;
+mod swept;
 mod targets;
 mod texture;
 
@@ -30,7 +31,7 @@ use opaque::Opaque;
 use options::view;
 use passes::Passes;
 use reference::{Crop, Supersampled};
-use sward::{Field, Frame, Light, Renderer, Statistics, Wind};
+use sward::{Field, Frame, Light, Renderer, Statistics, View, Wind};
 use sward_scene::{Scene, SceneWind};
 use targets::Targets;
 
@@ -92,7 +93,7 @@ impl Stage {
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);
-        let opaque = Opaque::new(gpu, &uniform, scene, &movers, samples);
+        let opaque = Opaque::new(gpu, &uniform, scene, &movers, (samples, options.technique));
         let passes = Passes::new(device, &uniform, &targets, samples);
         let warm_up_s = f64::from(scene.warm_up_s);
         let mut stage = Self {
@@ -206,6 +207,9 @@ impl Stage {
         if self.depth_is_opaque {
             return;
         }
+        let camera = self.uniform.camera();
+        let seen = View::new(camera.view_from_world, camera.clip_from_view, self.crop.size);
+        self.opaque.sweep(&self.gpu.device, encoder, &seen);
         let clear = wgpu::LoadOp::Clear(1.0);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("sward.stage.depth"),

@@ -73,6 +73,7 @@ pub struct GpuFrame {
     pub ground: [f32; 4],
     pub haze: [f32; 4],
     pub sway: [f32; 4],
+    pub shade: [f32; 4],
     pub dt_s: f32,
     pub gravity_blend: f32,
     pub crush_decay: f32,
@@ -83,8 +84,8 @@ pub struct GpuFrame {
     pub ticks: u32,
     pub resting_chunks: u32,
     pub keep_resting: u32,
-    pub reserved_a: u32,
-    pub reserved_b: u32,
+    pub shade_x: f32,
+    pub shade_y: f32,
 }
 
 /// `GpuField` of field.wgsl.
@@ -104,7 +105,7 @@ pub struct GpuPatch {
     pub origin: [f32; 3],
     pub edge: f32,
     pub reach_min: [f32; 3],
-    pub reserved: f32,
+    pub cell: u32,
     pub reach_max: [f32; 3],
     pub max_width: f32,
 }
@@ -147,9 +148,10 @@ pub struct GpuView {
     pub level_height: [f32; 2],
     pub cluster_width: [f32; 2],
     pub technique: u32,
-    pub reserved_a: u32,
-    pub reserved_b: u32,
-    pub reserved_c: u32,
+    pub far_share: f32,
+    pub far_size: f32,
+    pub reserved: u32,
+    pub bands: [f32; 4],
 }
 
 /// `GpuBand` of band.wgsl.

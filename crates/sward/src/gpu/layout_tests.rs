@@ -9,7 +9,7 @@ use crate::frame::debug::{CORNER_STRIDE, GpuDebug};
 use crate::frame::draw::topology::BLADES_PER_INSTANCE;
 use crate::frame::sweep::plan::GpuSweep;
 use crate::frame::wind::GpuWindSource;
-use crate::{Billboard, Form, Strip, Technique};
+use crate::{Billboard, Form, Plant, Strip, Technique};
 use std::mem::{offset_of, size_of};
 
 struct Expected {
@@ -39,6 +39,7 @@ fn structs() -> Vec<Expected> {
             ground,
             haze,
             sway,
+            shade,
             dt_s,
             gravity_blend,
             crush_decay,
@@ -49,8 +50,8 @@ fn structs() -> Vec<Expected> {
             ticks,
             resting_chunks,
             keep_resting,
-            reserved_a,
-            reserved_b,
+            shade_x,
+            shade_y,
         }),
         expected!(GpuPrimitive { a, b }),
         expected!(GpuWindSource {
@@ -78,7 +79,7 @@ fn structs() -> Vec<Expected> {
             reserved,
         }),
         expected!(GpuField { blade_count, patch_count, patch_size, first_id }),
-        expected!(GpuPatch { origin, edge, reach_min, reserved, reach_max, max_width }),
+        expected!(GpuPatch { origin, edge, reach_min, cell, reach_max, max_width }),
         expected!(GpuSpecies {
             height,
             width,
@@ -110,9 +111,10 @@ fn structs() -> Vec<Expected> {
             level_height,
             cluster_width,
             technique,
-            reserved_a,
-            reserved_b,
-            reserved_c,
+            far_share,
+            far_size,
+            reserved,
+            bands,
         }),
         expected!(GpuBand { step, ticks, culled, counts, tested, sway_x, sway_y, sway_z }),
         expected!(GpuBlock { buckets, counted }),
@@ -185,6 +187,7 @@ fn constants_agree_with_the_shaders() {
         ("CLUSTER_BUCKET", CLUSTER_BUCKET as u32),
         ("STRIP_BUCKET", STRIP_BUCKETS[0] as u32),
         ("BILLBOARD_BUCKET", BILLBOARD_BUCKETS[0] as u32),
+        ("FAR_BILLBOARD_BUCKET", BILLBOARD_BUCKETS[1] as u32),
         ("MODEL_BUCKET", MODEL_BUCKET as u32),
         ("BLADES", Technique::Blades as u32),
         ("STRIPS", Technique::Strips as u32),
@@ -192,7 +195,7 @@ fn constants_agree_with_the_shaders() {
         ("CONTINUUM", Technique::Continuum as u32),
         ("FORM_BLADE", Form::Blade.number()),
         ("FORM_STRIP", Form::Strip(Strip::default()).number()),
-        ("FORM_BILLBOARD", Form::Billboard(Billboard::default()).number()),
+        ("FORM_BILLBOARD", Form::Billboard(Billboard::new(Plant::Daisy)).number()),
         ("BLOCK", BLOCK),
         ("NEAR_STRIDE", NEAR_STRIDE),
         ("NEAR_SLOTS", NEAR_SLOTS),
@@ -207,6 +210,7 @@ fn constants_agree_with_the_shaders() {
         ("CULL_PAPER", view::PAPER),
         ("WIDTH_CORRECTION", view::WIDTH_CORRECTION),
         ("HAS_DEPTH", view::HAS_DEPTH),
+        ("SWEPT", view::SWEPT),
         ("LEVELS", SEGMENTS.len() as u32),
         ("CORNER_STRIDE", CORNER_STRIDE as u32),
     ];

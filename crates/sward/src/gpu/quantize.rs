@@ -2,8 +2,9 @@
 
 use super::layout::{GpuPatch, GpuSpecies, MAX_SPECIES};
 use crate::Field;
+use crate::frame::sweep::patches::NO_CELL;
 use crate::grow::{Blade, Patch};
-use crate::species::{Range, Shape, Species};
+use crate::species::{Form, Range, Shape, Species};
 use bytemuck::Zeroable;
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
@@ -119,7 +120,7 @@ pub fn gpu_patch(patch: &Patch, blades: &[Blade]) -> GpuPatch {
         origin: origin.to_array(),
         edge,
         reach_min: patch.reach_min.to_array(),
-        reserved: 0.0,
+        cell: NO_CELL,
         reach_max: patch.reach_max.to_array(),
         max_width: own.iter().fold(0.0, |m, b| m.max(b.width)),
     }
@@ -200,6 +201,7 @@ fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies
         Shape::Dandelion => (4.0, 0.5),
     };
     let (root, top) = (species.root_color, species.tip_color);
+    let (look, look_values) = species_look(species);
     GpuSpecies {
         height: range(species.height_m),
         width: range(species.width_m),
@@ -215,11 +217,21 @@ fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies
             lost * full / outline_area(species.shape, SEGMENTS[level])
         }),
         colors: [root.from, root.to, top.from, top.to].map(pack_color),
-        look: [species.form.number(), 0, 0, 0],
-        look_values: match species.form {
-            Form::Strip(strip) => strip.values(),
-            _ => [0.0; 4],
-        },
+        look,
+        look_values,
+    }
+}
+
+/// `look` and `look_values` of a species.
+fn species_look(species: &Species) -> ([u32; 4], [f32; 4]) {
+    let form = species.form.number();
+    match &species.form {
+        Form::Billboard(b) => {
+            let values = [b.angle_deg.to_radians(), b.wind_turn, b.wind_tint, b.absorption];
+            ([form, 0, 0, b.quads], values)
+        }
+        Form::Strip(strip) => ([form, 0, 0, 0], strip.values()),
+        _ => ([form, 0, 0, 0], [0.0; 4]),
     }
 }
 

@@ -19,6 +19,8 @@ pub const OCCLUSION: u32 = 8;
 pub const PAPER: u32 = 16;
 pub const WIDTH_CORRECTION: u32 = 32;
 pub const HAS_DEPTH: u32 = 64;
+/// Set beside where a page is swept.
+pub const SWEPT: u32 = 128;
 
 fn normalized_plane(plane: Vec4) -> [f32; 4] {
     let length = plane.truncate().length();
@@ -91,6 +93,7 @@ pub fn check_view(view: &View) -> Result<(), Error> {
     if !above_zero(view.detail) || !above_zero(view.culling.max_distance_m) {
         return Err(Error::setting("view", "detail and max_distance_m must be above 0"));
     }
+    view.bands.check()?;
     if let Some(level) = view.level
         && usize::from(level) >= SEGMENTS.len()
     {
@@ -116,6 +119,7 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
     let focal = (clip.y_axis.y.abs() * view.size[1] as f32 * 0.5)
         .max(clip.x_axis.x.abs() * view.size[0] as f32 * 0.5);
     let eye: Vec3 = world_from_view.w_axis.truncate();
+    let bands = view.bands;
     let detail = view.detail.clamp(1e-3, 1e6);
     GpuView {
         clip_from_world: clip_from_world.to_cols_array_2d(),
@@ -133,8 +137,9 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
         level_height: level_height(view.level),
         cluster_width: CLUSTER_WIDTH_PX.map(|px| px / detail),
         technique: view.technique as u32,
-        reserved_a: 0,
-        reserved_b: 0,
-        reserved_c: 0,
+        far_share: view.bands.far_share,
+        far_size: view.bands.far_size,
+        reserved: 0,
+        bands: [bands.near_m, bands.middle_m, bands.far_m.min(1e30), bands.jitter],
     }
 }

@@ -16,6 +16,7 @@ mod rig;
 mod saved;
 mod scenes;
 mod solids;
+mod strips;
 mod sweep;
 mod tints;
 mod views;

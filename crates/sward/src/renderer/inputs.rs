@@ -5,8 +5,8 @@ use super::layouts::Layouts;
 use crate::frame::collide::expand::{Expanded, expand};
 use crate::frame::collide::upload::{self, ChunkBuffer, ChunkCounts};
 use crate::frame::wind::GpuWindSource;
-use crate::frame::wind::sway::sway;
 use crate::frame::wind::atlas::{self, WindAtlas};
+use crate::frame::wind::sway::sway;
 use crate::gpu::layout::{GpuFrame, MAX_WIND_SOURCES, TICKS_PER_SECOND};
 use crate::gpu::{bindings, buffers};
 use crate::{Error, Frame, Gravity, Light, PhysicsModel};
@@ -54,7 +54,7 @@ fn check_light(light: &Light) -> Result<(), Error> {
     let colors = [light.to_sun, light.sun, light.sky, light.ground, light.haze];
     let haze = light.haze_per_m;
     if colors.iter().all(|c| c.is_finite()) && haze.is_finite() && haze >= 0.0 {
-        return Ok(());
+        return light.shade.check();
     }
     Err(Error::setting("light", "must be finite, and haze_per_m not below 0"))
 }
@@ -160,6 +160,7 @@ fn gpu_frame(
 ) -> GpuFrame {
     let with = |v: Vec3, w: f32| v.extend(w).to_array();
     let (gravity, light) = (&frame.gravity, &frame.light);
+    let shade_cells = light.shade.cells();
     GpuFrame {
         gravity_direction: with(gravity.direction.normalize_or_zero(), gravity.strength),
         gravity_center: with(gravity.center, gravity.center_strength),
@@ -169,6 +170,7 @@ fn gpu_frame(
         ground: with(light.ground, 0.0),
         haze: with(light.haze, light.haze_per_m),
         sway: sway(wind, f64::from(clock.ticks()) / TICKS_PER_SECOND),
+        shade: [light.shade.depth, light.shade.size_m.recip(), light.shade.height_m, 0.0],
         dt_s: clock.dt_s(),
         gravity_blend: gravity.blend,
         crush_decay: CRUSH_DECAY,
@@ -182,7 +184,7 @@ fn gpu_frame(
         ticks: clock.ticks(),
         resting_chunks: chunks.resting,
         keep_resting: chunks.keep_resting.into(),
-        reserved_a: 0,
-        reserved_b: 0,
+        shade_x: shade_cells.x as f32,
+        shade_y: shade_cells.y as f32,
     }
 }

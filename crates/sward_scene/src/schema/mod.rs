@@ -6,6 +6,7 @@
 mod bodies;
 mod collide;
 mod field;
+mod form;
 mod light;
 mod motion;
 mod object;
@@ -19,6 +20,7 @@ pub use field::{
     ColorFile, DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile,
     SpeciesFile, TuftsFile,
 };
+pub use form::{FormFile, StripFile};
 pub use light::{
     CullingFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile, TechniqueFile,
 };

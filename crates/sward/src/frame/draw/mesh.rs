@@ -1,7 +1,11 @@
 //! The triangles of a plant, in each bucket.
 
 use super::topology::{BLADES_PER_INSTANCE, Topology};
-use crate::gpu::layout::{BLADE_BUCKETS, BUCKETS};
+use crate::billboard::MAX_QUADS;
+use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, STRIP_BUCKETS};
+
+/// Segments of a strip with many rings, and with few, which divide it.
+pub(crate) const STRIP_SEGMENTS: [u32; 2] = [6, 2];
 
 /// What a plant of a bucket is made of.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,7 +23,33 @@ impl Mesh {
             let topology = Topology::of(bucket);
             return Self { vertices: topology.vertices(), indices: topology.indices() };
         }
-        Self::card()
+        let [middle, far] = BILLBOARD_BUCKETS;
+        match bucket {
+            _ if bucket == STRIP_BUCKETS[0] => Self::strips(STRIP_SEGMENTS[0]),
+            _ if bucket == STRIP_BUCKETS[1] => Self::strips(STRIP_SEGMENTS[1]),
+            _ if bucket == middle => Self::quads(MAX_QUADS, 2),
+            _ if bucket == far => Self::quads(MAX_QUADS.div_ceil(2), 1),
+            _ => Self::card(),
+        }
+    }
+
+    /// Two strips along a shared middle line: rings of left, middle, right.
+    fn strips(segments: u32) -> Self {
+        let quads = (0..segments as u16).flat_map(|s| [3 * s, 3 * s + 1]);
+        let indices = quads.flat_map(|i| [i, i + 1, i + 3, i + 1, i + 4, i + 3]);
+        Self { vertices: 3 * (segments + 1), indices: indices.collect() }
+    }
+
+    /// Cards, each of so many pieces from bottom to top.
+    fn quads(quads: u32, pieces: u32) -> Self {
+        let rows = pieces as u16 + 1;
+        let piece = |quad: u16, piece: u16| {
+            let first = 2 * (quad * rows + piece);
+            Self::card().indices.into_iter().map(move |i| first + i)
+        };
+        let indices =
+            (0..quads as u16).flat_map(|q| (0..pieces as u16).flat_map(move |p| piece(q, p)));
+        Self { vertices: 2 * quads * u32::from(rows), indices: indices.collect() }
     }
 
     /// Two triangles: from the left of the bottom on, counterclockwise by rows.

@@ -1,20 +1,9 @@
 // Strips (O section 4): more rings near, fewer far away.
 
-// A strip's values where its species has another near form, as `Strip::default`
-const PLAIN_STRIP: vec4<f32> = vec4<f32>(1.0471976, 0.2, 0.35, 70.0);
 // Octaves of size over which plants change, each at one of its own: no line of it shows
 const STRIP_SPREAD: f32 = 1.0;
 // Octaves over which a plant turns into the form with few rings before it does
 const STRIP_MORPH: f32 = 0.7;
-
-// Fold in radians, sway, orange, pixels of few rings.
-fn strip_values(kind: u32) -> vec4<f32> {
-    return select(
-        PLAIN_STRIP,
-        species_table[kind].look_values,
-        species_table[kind].look.x == FORM_STRIP,
-    );
-}
 
 // 0 many rings, 1 few.
 fn strip_level(height_px: f32, few_px: f32, threshold: f32) -> Level {

@@ -6,6 +6,7 @@
 //! strips: there patch culling asks a patch's cell in place of its own frustum test.
 
 pub(crate) mod grid;
+pub(crate) mod patches;
 pub mod plan;
 pub mod terrain;
 #[cfg(test)]
