@@ -210,7 +210,7 @@ fn constants_agree_with_the_shaders() {
         ("CULL_PAPER", view::PAPER),
         ("WIDTH_CORRECTION", view::WIDTH_CORRECTION),
         ("HAS_DEPTH", view::HAS_DEPTH),
-        ("SWEPT", view::SWEPT),
+        ("GROUND_SWEPT", view::GROUND_SWEPT),
         ("LEVELS", SEGMENTS.len() as u32),
         ("CORNER_STRIDE", CORNER_STRIDE as u32),
     ];

@@ -5,7 +5,7 @@ use crate::frame::sweep::grid::Grid;
 use crate::frame::sweep::patches::SweepStage;
 use crate::gpu::layout::GpuView;
 use crate::gpu::page::{Page, ViewLists};
-use crate::gpu::view::SWEPT;
+use crate::gpu::view::GROUND_SWEPT;
 use crate::{Technique, View};
 
 /// The grid that a view sweeps.
@@ -26,7 +26,7 @@ impl Renderer {
     ) {
         let page = &self.pages[page];
         let Some(grid) = swept(page, view) else { return };
-        uniform.flags |= SWEPT;
+        uniform.flags |= GROUND_SWEPT;
         page.views[index].sweep.prepare(device, encoder, grid, view);
         self.sweep.get_or_insert_with(|| SweepStage::new(device, &self.layouts));
     }

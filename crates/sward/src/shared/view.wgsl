@@ -52,7 +52,7 @@ const CULL_PAPER: u32 = 16u;
 const WIDTH_CORRECTION: u32 = 32u;
 const HAS_DEPTH: u32 = 64u;
 // A sweep has found the cells that the view may see
-const SWEPT: u32 = 128u;
+const GROUND_SWEPT: u32 = 128u;
 
 fn has(flag: u32) -> bool {
     return (view.flags & flag) != 0u;

@@ -22,7 +22,7 @@ fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
     let home = patches[index];
     let count = patch_blades(index);
     var seen: Seen;
-    if has(SWEPT) {
+    if has(GROUND_SWEPT) {
         seen = see_swept(home);
     } else {
         seen = see_patch(home);
