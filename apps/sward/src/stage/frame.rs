@@ -96,10 +96,8 @@ impl FrameUniform {
             layout: &layout,
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
         });
-        let camera = CameraMatrices {
-            view_from_world: Mat4::IDENTITY,
-            clip_from_view: Mat4::IDENTITY,
-        };
+        let camera =
+            CameraMatrices { view_from_world: Mat4::IDENTITY, clip_from_view: Mat4::IDENTITY };
         Self { values, camera, buffer, layout, group }
     }
 

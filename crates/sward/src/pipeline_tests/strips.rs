@@ -2,7 +2,9 @@
 
 use super::decoded::decode;
 use super::rig::Rig;
-use super::scenes::{field_of, no_culling, random_blades, random_field, random_view, see_all, species};
+use super::scenes::{
+    field_of, no_culling, random_blades, random_field, random_view, see_all, species,
+};
 use crate::frame::cull::twin::{kept_blades, pixels_per_metre};
 use crate::frame::level::strips_twin::strip_level;
 use crate::gpu::layout::STRIP_BUCKETS;

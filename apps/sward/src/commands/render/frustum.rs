@@ -27,8 +27,8 @@ struct Ground<'a> {
     listed: Vec<bool>,
 }
 
-/// Draws the map for the scene's first ground that grass grows on.
-pub fn picture(scene: &Scene, gpu: &Gpu, options: &StageOptions) -> Result<RgbImage> {
+/// Draws the map for the scene's first ground that grass grows on; and says what was found.
+pub fn picture(scene: &Scene, gpu: &Gpu, options: &StageOptions) -> Result<(RgbImage, String)> {
     let field = scene.fields.first().context("the scene has no field")?;
     let mesh = &scene.objects.get(field.object).context("the field has no ground")?.mesh;
     let bounds = field.surface.bounds();
@@ -48,18 +48,24 @@ pub fn picture(scene: &Scene, gpu: &Gpu, options: &StageOptions) -> Result<RgbIm
     let mut picture = RgbImage::from_pixel(options.size[0], options.size[1], Rgb(BEYOND));
     map.draw_ground(&mut picture, &ground);
     map.draw_camera(&mut picture, camera, &footprint);
-    legend(&ground).draw(&mut picture, Corner::TopLeft);
-    Ok(picture)
+    let found = found(&ground);
+    legend(&found).draw(&mut picture, Corner::TopLeft);
+    Ok((picture, found))
 }
 
-fn legend(ground: &Ground) -> Legend {
+/// How many cells, and by which method.
+fn found(ground: &Ground) -> String {
     let count = ground.listed.iter().filter(|listed| **listed).count();
     let all = thousands(ground.listed.len() as u64);
     let method = match ground.sweep.method() {
         SweepMethod::Corners => "ground sweep",
         _ => "every cell tested",
     };
-    Legend::new(format!("{method}: {} of {all} cells", thousands(count as u64)))
+    format!("{method}: {} of {all} cells", thousands(count as u64))
+}
+
+fn legend(found: &str) -> Legend {
+    Legend::new(found)
         .entry(SEEN, "cells that are drawn")
         .entry(UNSEEN, "cells that are not")
         .entry(FOOTPRINT, "where the ground meets the frustum")
@@ -90,7 +96,8 @@ fn listed_cells(gpu: &Gpu, sweep: &Sweep) -> Result<Vec<bool>> {
     buffer.map_async(wgpu::MapMode::Read, .., |_| {});
     gpu.wait()?;
     let mapped = buffer.get_mapped_range(..).context("the cells cannot be read back")?;
-    let mut words = mapped.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]));
+    let mut words =
+        mapped.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]));
     let count = words.next().unwrap_or(0);
     let [columns, rows] = sweep.size();
     let mut listed = vec![false; columns as usize * rows as usize];

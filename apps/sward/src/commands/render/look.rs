@@ -27,6 +27,8 @@ pub enum DebugChoice {
     Wireframe,
     /// The same, on the right half only
     HalfWireframe,
+    /// The ground from above: what the camera sees of it, and the cells that a sweep finds
+    Frustum,
 }
 
 impl DebugChoice {
@@ -38,6 +40,8 @@ impl DebugChoice {
             Self::Awake => DebugView::Awake,
             Self::Crush => DebugView::Crush,
             Self::Wireframe | Self::HalfWireframe => DebugView::Wireframe,
+            // A map of its own, for which no blade is drawn
+            Self::Frustum => DebugView::Patches,
         }
     }
 }
