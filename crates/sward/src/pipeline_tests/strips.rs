@@ -65,7 +65,7 @@ fn only_views_that_test_the_frustum_sweep() {
 /// Every plant is a strip, of as many rings as the reference says, whatever its species' own form.
 #[test]
 fn rings_equal_the_reference() {
-    let own = Strip { few_rings_px: 30.0, ..Strip::default() };
+    let own = Strip { few_rings_px: 8.0, ..Strip::default() };
     let mut kinds = species();
     kinds[0] = Species { form: Form::Strip(own), ..kinds[0].clone() };
     let mut rig = Rig::new(field_of(kinds, &random_blades(34, 3000, 8.0), 256));
@@ -80,7 +80,7 @@ fn rings_equal_the_reference() {
             let blade = &decoded.blade;
             let middle = blade.root + blade.up * (0.5 * blade.height);
             let height_px = blade.height * pixels_per_metre(&uniform, middle.distance(eye));
-            let few_px = if blade.species == 0 { 30.0 } else { Strip::default().few_rings_px };
+            let few_px = if blade.species == 0 { 8.0 } else { Strip::default().few_rings_px };
             let (level, morph) = strip_level(height_px, few_px, hash01(index, 26));
             compared += 1;
             few += level;
