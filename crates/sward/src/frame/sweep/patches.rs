@@ -29,7 +29,7 @@ pub(crate) fn patch_grid(patches: &[Patch]) -> Option<(Grid, Vec<u32>)> {
     let cell_m = (size.x * size.y / patches.len() as f32).sqrt().max(1e-3);
     let (grid, cells) = Grid::over((min, max), &things, cell_m);
     let rows = grid.cells.y;
-    let packed = cells.iter().map(|cell| (cell / rows) << 16 | cell % rows).collect();
+    let packed = cells.iter().map(|cell| ((cell / rows) << 16) | (cell % rows)).collect();
     grid.is_flat().then_some((grid, packed))
 }
 

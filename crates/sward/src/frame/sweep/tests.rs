@@ -10,6 +10,7 @@ use crate::grow::terrain::NoiseTerrain;
 use crate::{Mesh, View};
 use glam::camera::rh::proj::directx::{orthographic, perspective, perspective_infinite};
 use glam::{EulerRot, Mat4, Quat, Vec3};
+use std::f32::consts::TAU;
 
 fn hills() -> Mesh {
     let terrain = NoiseTerrain { size_m: 120.0, resolution: 60, ..NoiseTerrain::default() };
@@ -22,8 +23,8 @@ fn random_view(seed: u64) -> View<'static> {
     let mut between = |low: f32, high: f32| low + (high - low) * draws.unit();
     let eye = Vec3::new(between(-80.0, 80.0), between(-3.0, 40.0), between(-80.0, 80.0));
     let pitch = between(-1.5, 0.6);
-    let roll = if seed % 5 == 0 { between(-3.0, 3.0) } else { between(-0.02, 0.02) };
-    let turn = Quat::from_euler(EulerRot::YXZ, between(0.0, 6.28), pitch, roll);
+    let roll = if seed.is_multiple_of(5) { between(-3.0, 3.0) } else { between(-0.02, 0.02) };
+    let turn = Quat::from_euler(EulerRot::YXZ, between(0.0, TAU), pitch, roll);
     let (fov, aspect, near) = (between(0.3, 1.9), between(0.5, 2.5), between(0.05, 1.0));
     let far = between(10.0, 400.0);
     let clip = match seed % 7 {
@@ -114,7 +115,7 @@ fn the_shader_sweeps_as_its_reference() {
         all += expected.len();
         other += expected.iter().filter(|cell| own.binary_search(cell).is_err()).count();
         other += own.iter().filter(|cell| expected.binary_search(cell).is_err()).count();
-        if seed % 10 == 0 {
+        if seed.is_multiple_of(10) {
             compare_triangles(&gpu, &mesh, &sweep, &own);
         }
     }
