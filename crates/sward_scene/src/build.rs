@@ -4,6 +4,7 @@ mod colors;
 mod fields;
 mod forms;
 mod inside;
+mod looks;
 pub(crate) mod plants;
 mod settings;
 mod views;

@@ -6,6 +6,7 @@ mod compare;
 mod info;
 mod paper;
 mod render;
+mod texture;
 mod wind;
 
 use crate::progress;
@@ -27,6 +28,7 @@ pub enum Command {
     Compare(compare::Args),
     Info(info::Args),
     Paper(paper::Args),
+    Texture(texture::Args),
     Wind(wind::Args),
 }
 
@@ -39,6 +41,7 @@ pub fn run(command: Command, quiet: bool) -> Result<()> {
         Command::Compare(args) => compare::run(args),
         Command::Info(args) => info::run(args),
         Command::Paper(args) => paper::run(args, quiet),
+        Command::Texture(args) => texture::run(args, quiet),
         Command::Wind(args) => wind::run(args, quiet),
     }
 }

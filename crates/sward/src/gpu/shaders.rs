@@ -59,6 +59,7 @@ const DRAW: &str = part!("frame/draw/draw.wgsl");
 const SWEEP: &str = part!("frame/sweep/sweep.wgsl");
 const SWEEP_COLUMNS: &str = part!("frame/sweep/columns.wgsl");
 const SWEEP_TERRAIN: &str = part!("frame/sweep/terrain.wgsl");
+const MODEL: &str = part!("frame/draw/model.wgsl");
 
 /// One shader module of the library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,6 +80,8 @@ pub enum Shader {
     Draw,
     /// Blades with lobes.
     DrawLobed,
+    /// Modelled plants.
+    DrawModel,
     /// Plants as quads.
     DrawBillboard,
     /// Plants as strips.
@@ -97,7 +100,7 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -106,6 +109,7 @@ impl Shader {
         Self::Compact,
         Self::Draw,
         Self::DrawLobed,
+        Self::DrawModel,
         Self::DrawBillboard,
         Self::DrawStrip,
         Self::Explain,
@@ -123,7 +127,11 @@ impl Shader {
             Self::Update | Self::UpdateMultisampled => "sward.update",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
-            Self::Draw | Self::DrawLobed | Self::DrawBillboard | Self::DrawStrip => "sward.draw",
+            Self::Draw
+            | Self::DrawLobed
+            | Self::DrawModel
+            | Self::DrawBillboard
+            | Self::DrawStrip => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
             Self::DrawDebug => "sward.debug",
             Self::SweepColumns | Self::SweepTerrain => "sward.sweep",
@@ -154,6 +162,7 @@ impl Shader {
             Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
             Self::DrawBillboard => &[&plant, &[QUADS, BILLBOARD]],
             Self::DrawStrip => &[&plant, &[STRIP_LOOK, STRIP_SHAPE, STRIP]],
+            Self::DrawModel => &[&draw, &[MODEL]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
             Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG]],

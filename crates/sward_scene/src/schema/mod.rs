@@ -8,6 +8,7 @@ mod collide;
 mod field;
 mod form;
 mod light;
+mod look;
 mod motion;
 mod object;
 mod plants;
@@ -25,6 +26,7 @@ pub use form::{FormFile, StripFile};
 pub use light::{
     CullingFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile, TechniqueFile,
 };
+pub use look::{LookFile, PictureFile};
 pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
 pub use plants::{BandsFile, PlantFile, ShadeFile};

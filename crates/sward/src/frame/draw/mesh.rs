@@ -2,7 +2,11 @@
 
 use super::topology::{BLADES_PER_INSTANCE, Topology};
 use crate::billboard::MAX_QUADS;
-use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, STRIP_BUCKETS};
+use crate::gpu::layout::{
+    BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET, STRIP_BUCKETS,
+};
+use crate::plants::mesh::PIECES;
+use crate::plants::model::MAX_RIBBONS;
 
 /// Segments of a strip with many rings, and with few, which divide it.
 pub(crate) const STRIP_SEGMENTS: [u32; 2] = [6, 2];
@@ -29,6 +33,8 @@ impl Mesh {
             _ if bucket == STRIP_BUCKETS[1] => Self::strips(STRIP_SEGMENTS[1]),
             _ if bucket == middle => Self::quads(MAX_QUADS, 2),
             _ if bucket == far => Self::quads(MAX_QUADS.div_ceil(2), 1),
+            // Ribbons are cards of several pieces, too
+            MODEL_BUCKET => Self::quads(MAX_RIBBONS as u32, PIECES),
             _ => Self::card(),
         }
     }
