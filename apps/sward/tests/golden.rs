@@ -30,7 +30,7 @@ fn tiny_as_in_the_paper() {
 
 #[test]
 fn debug_views() {
-    for view in ["patches", "culling", "level", "awake", "crush", "wireframe", "half-wireframe"] {
+    for view in ["patches", "culling", "level", "awake", "crush", "wireframe", "half-wireframe", "frustum"] {
         golden(
             &format!("debug/{view}"),
             SIZE,

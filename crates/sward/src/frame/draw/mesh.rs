@@ -9,7 +9,7 @@ use crate::plants::mesh::PIECES;
 use crate::plants::model::MAX_RIBBONS;
 
 /// Segments of a strip with many rings, and with few, which divide it.
-pub(crate) const STRIP_SEGMENTS: [u32; 2] = [6, 2];
+pub(crate) const STRIP_SEGMENTS: [u32; 2] = [12, 3];
 
 /// What a plant of a bucket is made of.
 #[derive(Debug, Clone, PartialEq, Eq)]

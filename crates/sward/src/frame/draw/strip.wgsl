@@ -52,7 +52,6 @@ fn vs_strip(
     let corner = vertex % VERTICES;
     let ring = corner / 3u;
     let across = f32(corner % 3u) - 1.0;
-    let share = f32(ring) / f32(SEGMENTS);
     let sway = sway_of(blade, tip);
     let width = strip_width(blade, listed.fade);
     let point = morphed_point(blade, tip, sway, width, ring, across, listed.morph);
@@ -60,6 +59,7 @@ fn vs_strip(
     out.position = point.position;
     out.normal = point.normal;
     out.side = point.side;
+    let share = point.share;
     let own = blade_color(blade, share * (1.5 - 0.5 * share));
     let dry = hash01(blade.id, 23u);
     out.tint = mix(own, ORANGE * (0.4 + 0.6 * share), dry * dry * strip_values(blade.species).z);

@@ -1,14 +1,13 @@
 // The surface of a strip (O section 4).
 
 // Segments along the strip, and in how many it turns as it becomes the next level's: a divisor
-override SEGMENTS: u32 = 6u;
-override COARSE: u32 = 2u;
-// Curve parameter at a share of the length, for a speed that runs evenly from the root's to the tip's.
-fn parameter_of(share: f32, knee: vec3<f32>, tip: vec3<f32>) -> f32 {
+override SEGMENTS: u32 = 12u;
+override COARSE: u32 = 3u;
+// Share of the length at a curve parameter, for a speed that runs evenly from the root's to the tip's.
+fn length_share(t: f32, knee: vec3<f32>, tip: vec3<f32>) -> f32 {
     let a = length(knee);
     let b = length(tip - knee);
-    let root = sqrt(max(a * a + share * (b * b - a * a), 0.0));
-    return clamp(share * (a + b) / max(a + root, 1e-6), 0.0, 1.0);
+    return clamp(t * (2.0 * a + (b - a) * t) / max(a + b, 1e-6), 0.0, 1.0);
 }
 
 fn turned_about(v: vec3<f32>, axis: vec3<f32>, angle: f32) -> vec3<f32> {
@@ -41,12 +40,15 @@ struct StripPoint {
     position: vec3<f32>,
     normal: vec3<f32>,
     side: vec3<f32>,
+    // Of the length
+    share: f32,
 }
 
-// A point of the surface: `share` of the length, `across` from -1 to 1.
-fn strip_point(blade: Blade, tip: vec3<f32>, sway: Sway, width: f32, share: f32, across: f32) -> StripPoint {
+// A point of the surface: at curve parameter t, `across` from -1 to 1. Rings stand evenly by the
+// parameter, nearer each other where the curve bends most, towards the tip.
+fn strip_point(blade: Blade, tip: vec3<f32>, sway: Sway, width: f32, t: f32, across: f32) -> StripPoint {
     let knee = middle_point(tip, blade.up, blade.arch);
-    let t = parameter_of(share, knee, tip);
+    let share = length_share(t, knee, tip);
     let center = knee * (2.0 * t * (1.0 - t)) + tip * (t * t);
     var along = unit_or(knee * (1.0 - 2.0 * t) + tip * t, blade.up);
     let flat_side = cross(blade.up, blade.facing);
@@ -60,7 +62,7 @@ fn strip_point(blade: Blade, tip: vec3<f32>, sway: Sway, width: f32, share: f32,
     let fold = 0.5 * strip_values(blade.species).x;
     let edge = side * (across * cos(fold)) + normal * (abs(across) * sin(fold));
     let position = blade.root + swayed * blade.height + edge * (0.5 * width);
-    return StripPoint(position, normal, side);
+    return StripPoint(position, normal, side, share);
 }
 
 // The same, moved onto the edges of the coarser strip as the plant turns into it.
@@ -78,5 +80,6 @@ fn morphed_point(blade: Blade, tip: vec3<f32>, sway: Sway, width: f32, ring: u32
     own.position = mix(own.position, mix(low.position, high.position, part), morph);
     own.normal = mix(own.normal, mix(low.normal, high.normal, part), morph);
     own.side = mix(own.side, mix(low.side, high.side, part), morph);
+    own.share = mix(own.share, mix(low.share, high.share, part), morph);
     return own;
 }
