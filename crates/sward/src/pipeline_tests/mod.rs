@@ -17,6 +17,7 @@ mod rig;
 mod saved;
 mod scenes;
 mod solids;
+mod strip_drawing;
 mod strips;
 mod sweep;
 mod tints;
