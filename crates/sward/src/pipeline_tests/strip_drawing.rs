@@ -3,14 +3,14 @@
 use super::decoded::decode;
 use super::drawing::{Picture, at_height, blade, covered, difference, draw};
 use super::rig::Rig;
-use super::scenes::{SIZE, breeze, facing_origin, field_of, no_culling, see_all, species};
+use super::scenes::{SIZE, breeze, facing_origin, field_of, look, no_culling, see_all, species};
 use crate::frame::physics::twin::State;
 use crate::gpu::state_twin::pack_state;
 use crate::grow::Blade;
 use crate::shared::curve_twin::project_tip;
 use crate::shared::noise_twin::hash01;
 use crate::{Cosine, Form, Frame, PhysicsModel, Range, Species, Strip, Technique, View, Wind, WindSource};
-use glam::{DVec3, Vec2};
+use glam::{DVec3, Vec2, Vec3};
 
 fn kind(strip: Strip) -> Species {
     Species {
@@ -42,7 +42,8 @@ fn widths(picture: &Picture) -> Vec<usize> {
 fn the_tip_is_cut_by_the_texture() {
     let wide = Blade { height: 1.0, width: 0.3, ..blade(0.0, 0) };
     let mut rig = rig(Strip { fold_deg: 0.0, sway: 0.0, ..Strip::default() }, &[wide]);
-    rig.cull(&[by_strips(facing_origin())]);
+    let near = look(Vec3::new(0.0, 0.5, 1.1), Vec3::new(0.0, 0.5, 0.0));
+    rig.cull(&[by_strips(near)]);
     let picture = draw(&mut rig, 0);
     let rows: Vec<usize> = widths(&picture).into_iter().filter(|width| *width > 0).collect();
     println!("{rows:?}");
