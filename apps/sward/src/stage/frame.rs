@@ -3,7 +3,7 @@
 use super::reference::Crop;
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec4};
-use sward::Light;
+use sward::{Light, Shade};
 use sward_scene::{Camera, Scene};
 use wgpu::util::DeviceExt;
 
@@ -25,6 +25,9 @@ pub(super) struct GpuStageFrame {
     exposure: f32,
     samples_a_side: f32,
     reserved: Vec2,
+    shade: Vec4,
+    shade_offset: Vec2,
+    reserved_more: Vec2,
 }
 
 /// The frame's uniform buffer and its bind group, group 0 of every pass of the stage.
@@ -72,6 +75,9 @@ impl FrameUniform {
             exposure: 1.0,
             samples_a_side: 1.0,
             reserved: Vec2::ZERO,
+            shade: Vec4::ZERO,
+            shade_offset: Vec2::ZERO,
+            reserved_more: Vec2::ZERO,
         };
         let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("sward.stage.frame"),
@@ -104,6 +110,13 @@ impl FrameUniform {
     /// The camera that was written last.
     pub fn camera(&self) -> CameraMatrices {
         self.camera
+    }
+
+    /// What moves between the ground and the sun; written with the camera.
+    pub fn set_shade(&mut self, shade: &Shade) {
+        let (pattern, offset) = shade.pattern();
+        self.values.shade = Vec4::from(pattern);
+        self.values.shade_offset = Vec2::from(offset);
     }
 
     /// Takes effect with the next submission.
@@ -156,7 +169,10 @@ mod tests {
             haze,
             exposure,
             samples_a_side,
-            reserved
+            reserved,
+            shade,
+            shade_offset,
+            reserved_more
         ];
         let theirs: Vec<_> = members
             .iter()

@@ -21,6 +21,10 @@ struct GpuStageFrame {
     // Samples of the target that a side of a pixel has: what is a pixel wide is so many of them
     samples_a_side: f32,
     reserved: vec2<f32>,
+    // Moving shade, as the library's
+    shade: vec4<f32>,
+    shade_offset: vec2<f32>,
+    reserved_more: vec2<f32>,
 }
 
 @group(0) @binding(0) var<uniform> frame: GpuStageFrame;

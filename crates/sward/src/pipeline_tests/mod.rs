@@ -12,6 +12,7 @@ mod lobes;
 mod packing;
 mod pages;
 mod plants;
+mod quads;
 mod quantized;
 mod rig;
 mod saved;

@@ -2,6 +2,8 @@
 //! where they are less than a pixel wide. WGSL functions that `update` and `draw` call.
 
 #[cfg(test)]
+pub(crate) mod bands_twin;
+#[cfg(test)]
 pub(crate) mod strips_twin;
 #[cfg(test)]
 pub(crate) mod twin;
