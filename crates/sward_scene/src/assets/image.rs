@@ -51,9 +51,8 @@ fn decode_up_to(file: &Path, bytes: &[u8], most: u32) -> Result<DynamicImage, Sc
     let reader = || ImageReader::with_format(Cursor::new(bytes), format);
     let (width, height) = reader().into_dimensions().map_err(broken)?;
     if width == 0 || height == 0 || width.max(height) > most {
-        let cause = format!(
-            "image of {width} x {height} pixels: sides must be 1 to {most}; scale it down"
-        );
+        let cause =
+            format!("image of {width} x {height} pixels: sides must be 1 to {most}; scale it down");
         return Err(SceneError::asset(file, cause));
     }
     let mut limited = reader();

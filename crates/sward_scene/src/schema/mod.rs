@@ -8,9 +8,9 @@ mod collide;
 mod field;
 mod form;
 mod light;
-mod look;
 mod motion;
 mod object;
+mod picture;
 mod plants;
 mod source;
 mod value;
@@ -26,9 +26,9 @@ pub use form::{FormFile, StripFile};
 pub use light::{
     CullingFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile, TechniqueFile,
 };
-pub use look::{LookFile, PictureFile};
 pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
+pub use picture::PictureFile;
 pub use plants::{BandsFile, PlantFile, ShadeFile};
 pub use source::{
     HeightmapFile, MobiusFile, PlaneFile, RockFile, Source, SphereMeshFile, TerrainFile, TorusFile,

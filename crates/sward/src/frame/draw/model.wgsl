@@ -5,9 +5,8 @@
 @group(1) @binding(13) var plant_models: texture_2d<u32>;
 
 const MODEL_RANGE: f32 = 1.25;
-const MODEL_SALT: u32 = 41u;
-// Layers of a variant's pictures
-const MODEL_VIEWS: u32 = 3u;
+// Thicknesses lie within 0..5, and a word's half has been scaled by the range of places
+const THICKNESS_RANGE: f32 = 5.0 / MODEL_RANGE;
 
 struct ModelPoint {
     // Widths across and forwards, heights upwards
@@ -17,6 +16,8 @@ struct ModelPoint {
     // Half of the width of a round ribbon, in widths of the plant, signed by side; 0 where it is flat
     half: f32,
     albedo: vec3<f32>,
+    // As a surface's
+    blocked: f32,
 }
 
 fn unpack_model_point(bits: vec4<u32>) -> ModelPoint {
@@ -28,30 +29,21 @@ fn unpack_model_point(bits: vec4<u32>) -> ModelPoint {
         oct_decode(unpack2x16snorm(bits.w)),
         select(0.0, z_half.y, is_round),
         unpack_color(bits.z & 0x3fffffffu),
+        // Round ones are as thick as a blade; of the others the thickness stands for the width
+        select(1.0 - 2.0 / (1.0 + z_half.y * THICKNESS_RANGE), 0.0, is_round),
     );
 }
 
-fn model_row(look: vec4<u32>, id: u32) -> u32 {
-    let variants = max(look.z / MODEL_VIEWS, 1u);
-    let own = min(u32(hash01(id, MODEL_SALT) * f32(variants)), variants - 1u);
-    return look.y / MODEL_VIEWS + own;
-}
-
-// Where the plant's middle line is at a share of its height, in heights, and which way it runs there.
-struct Spine {
-    center: vec3<f32>,
-    along: vec3<f32>,
-}
-
-fn spine_at(blade: Blade, tip: vec3<f32>, share: f32) -> Spine {
-    let knee = middle_point(tip, blade.up, blade.arch);
-    // Upright, the curve is at 2v - v v of its height
-    let v = 1.0 - sqrt(clamp(1.0 - share, 0.0, 1.0));
-    let a = knee * v;
-    let b = mix(knee, tip, v);
-    let along = unit_or(b - a, blade.up);
-    // What lies under the root goes straight down
-    return Spine(mix(a, b, v) + along * min(share, 0.0), along);
+struct ModelVertex {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) @interpolate(perspective, centroid) normal: vec3<f32>,
+    @location(1) @interpolate(perspective, centroid) albedo: vec3<f32>,
+    @location(2) @interpolate(perspective, centroid) position: vec3<f32>,
+    // Share of the height, light that the plant keeps away
+    @location(3) @interpolate(perspective, centroid) place: vec2<f32>,
+    @location(4) @interpolate(flat) up: vec3<f32>,
+    // Light at the roots, lean, what the ribbon blocks
+    @location(5) @interpolate(flat) looks: vec3<f32>,
 }
 
 // A direction of the plant's own axes, turned about up, then by the shortest turn from up to along.
@@ -69,9 +61,9 @@ fn turned_over(blade: Blade, along: vec3<f32>, turn: vec2<f32>, own: vec3<f32>) 
 fn vs_model(
     @builtin(vertex_index) vertex: u32,
     @builtin(instance_index) instance: u32,
-) -> NearVertex {
-    var out: NearVertex;
-    out.clip = HIDDEN;
+) -> ModelVertex {
+    var out: ModelVertex;
+    out.clip = HIDDEN_PLANT;
     let listed = listed_plant(vertex, instance);
     if listed.hidden {
         return out;
@@ -79,7 +71,7 @@ fn vs_model(
     let kind = (blades[listed.index].y >> 16u) & 0xffu;
     let look = species_table[kind].look;
     let id = field.first_id + listed.index;
-    let texel = vec2<u32>(vertex % VERTICES, model_row(look, id));
+    let texel = vec2<u32>(vertex % VERTICES, look.y / PICTURE_VIEWS + variant_of(look, id));
     let bits = textureLoad(plant_models, texel, 0);
     // Rows are filled up with zeros, which no direction is
     if all(bits == vec4<u32>(0u)) {
@@ -108,14 +100,29 @@ fn vs_model(
         normal = select(normal, -normal, dot(normal, ray) > 0.0) + side * (0.9 * sign(own.half));
     }
     let lean = min(length(state.tip - blade.up * dot(state.tip, blade.up)), 1.0);
-    let tone = (0.85 + 0.3 * hash01(id, 22u)) * (1.0 + values.z * (lean - 0.1));
     out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
     out.normal = normal;
-    out.albedo = own.albedo * tone;
+    out.albedo = own.albedo * plant_tone(id, lean, values.z);
     out.position = position;
-    out.height_share = clamp(own.place.y, 0.0, 1.0);
+    let share = clamp(own.place.y, 0.0, 1.0);
+    out.place = vec2<f32>(share, absorbed_within(offset, blade.up, size, share, values.w));
     out.up = blade.up;
-    out.root_open = species_table[kind].form.z;
-    out.lean = lean;
+    out.looks = vec3<f32>(species_table[kind].form.z, lean, own.blocked);
     return out;
+}
+
+@fragment
+fn fs_model(in: ModelVertex) -> @location(0) vec4<f32> {
+    var surface: BladeSurface;
+    surface.albedo = in.albedo;
+    surface.normal = unit_or(in.normal, in.up);
+    surface.up = in.up;
+    surface.height_share = in.place.x;
+    surface.root_open = in.looks.x;
+    surface.lean = in.looks.y;
+    surface.shaded = sun_shade(in.position);
+    surface.absorbed = in.place.y;
+    surface.blocked = in.looks.z;
+    let lit = with_haze(shade_blade(surface, -view_ray(in.position)), distance_to(in.position));
+    return vec4<f32>(max(lit, vec3<f32>(0.0)), 1.0);
 }

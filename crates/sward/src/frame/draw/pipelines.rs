@@ -128,7 +128,7 @@ fn model_pipeline(
     let constants =
         [("BUCKET", MODEL_BUCKET as f64), ("VERTICES", f64::from(Mesh::of(MODEL_BUCKET).vertices))];
     let module = &modules.get(device, Shader::DrawModel);
-    let program = Program { module, vertex: "vs_model", fragment: "fs_near", masked: false };
+    let program = Program { module, vertex: "vs_model", fragment: "fs_model", masked: false };
     pipeline(device, layout, targets, program, &constants)
 }
 

@@ -1,26 +1,11 @@
-//! What plants look like: kinds of the library's, and pictures.
+//! Pictures of plants.
 
 use super::Context;
 use crate::assets;
 use crate::error::SceneError;
-use crate::schema::{LookFile, PictureFile};
+use crate::schema::PictureFile;
 use std::path::Path;
-use sward::{Look, Picture, Plant};
-
-/// A look, with its pictures read.
-pub(super) fn look(context: &mut Context, file: &LookFile) -> Result<Look, SceneError> {
-    Ok(match file {
-        LookFile::MeadowGrass => Plant::MeadowGrass.into(),
-        LookFile::TallGrass => Plant::TallGrass.into(),
-        LookFile::FineGrass => Plant::FineGrass.into(),
-        LookFile::Clover => Plant::Clover.into(),
-        LookFile::Daisy => Plant::Daisy.into(),
-        LookFile::Poppy => Plant::Poppy.into(),
-        LookFile::Cornflower => Plant::Cornflower.into(),
-        LookFile::DandelionClock => Plant::DandelionClock.into(),
-        LookFile::Picture(file) => picture(context, file)?.into(),
-    })
-}
+use sward::Picture;
 
 /// A picture and its normals. One without a transparent pixel is told: it would be drawn as a whole
 /// square.
