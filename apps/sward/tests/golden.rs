@@ -30,7 +30,18 @@ fn tiny_as_in_the_paper() {
 
 #[test]
 fn debug_views() {
-    for view in ["patches", "culling", "level", "awake", "crush", "wireframe", "half-wireframe", "frustum"] {
+    for view in [
+        "patches",
+        "culling",
+        "level",
+        "awake",
+        "crush",
+        "wireframe",
+        "half-wireframe",
+        "position",
+        "distance",
+        "frustum",
+    ] {
         golden(
             &format!("debug/{view}"),
             SIZE,

@@ -3,6 +3,7 @@
 mod frustum;
 mod garden;
 mod look;
+mod places;
 
 use super::{grow_timed, load, tell, tell_notes};
 use crate::args::{self, Frames, Gardens, Size};
