@@ -80,6 +80,7 @@
 mod bake;
 pub mod bands;
 pub mod billboard;
+pub mod canopy;
 pub mod collider;
 pub mod color_map;
 pub mod debug;
@@ -104,6 +105,7 @@ mod pipeline_tests;
 
 pub use bands::Bands;
 pub use billboard::{Billboard, Sizes};
+pub use canopy::Canopy;
 pub use collider::{Collider, ColliderShape, Pose};
 pub use color_map::{ColorImage, ColorMap};
 pub use debug::{DebugColor, DebugView, Observer};
