@@ -9,7 +9,9 @@ use crate::gpu::state_twin::pack_state;
 use crate::grow::Blade;
 use crate::shared::curve_twin::project_tip;
 use crate::shared::noise_twin::hash01;
-use crate::{Cosine, Form, Frame, PhysicsModel, Range, Species, Strip, Technique, View, Wind, WindSource};
+use crate::{
+    Cosine, Form, Frame, PhysicsModel, Range, Species, Strip, Technique, View, Wind, WindSource,
+};
 use glam::{DVec3, Vec2, Vec3};
 
 fn kind(strip: Strip) -> Species {

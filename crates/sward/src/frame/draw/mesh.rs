@@ -2,9 +2,7 @@
 
 use super::topology::{BLADES_PER_INSTANCE, Topology};
 use crate::billboard::MAX_QUADS;
-use crate::gpu::layout::{
-    BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET, STRIP_BUCKETS,
-};
+use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET, STRIP_BUCKETS};
 use crate::plants::mesh::PIECES;
 use crate::plants::model::MAX_RIBBONS;
 
