@@ -1,8 +1,6 @@
 //! Which draw lists the plants of a page may be in.
 
-use super::layout::{
-    BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET, STRIP_BUCKETS,
-};
+use super::layout::{BILLBOARD_BUCKETS, BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET, STRIP_BUCKETS};
 use super::quantize::has_flat_tip;
 use crate::{Form, Look, Species, Technique};
 
@@ -46,11 +44,6 @@ impl Buckets {
     /// Every plant a strip.
     fn strips() -> Self {
         Self(STRIP_BUCKETS.iter().fold(0, |all, bucket| all | 1 << bucket))
-    }
-
-    /// Of these, those of single blades.
-    pub fn blades_only(self) -> Self {
-        Self(self.0 & ((1 << BLADE_BUCKETS) - 1))
     }
 
     /// In order.
