@@ -9,6 +9,10 @@ override SAMPLES: u32 = 1u;
 // Alpha that a texel shows from, with one sample a pixel
 const ALPHA_TEST: f32 = 0.5;
 
+// How far a texel's own normal makes it brighter or darker than the mean: a card of one sample a pixel
+// shows each as sharply as no eye would
+const RELIEF: f32 = 0.5;
+
 struct ClusterVertex {
     @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
@@ -174,6 +178,7 @@ fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
     let n = textureSample(cluster_shape, picture_sampler, in.uv, in.layer).xyz * 2.0 - 1.0;
     let normal = in.right * n.x + in.up * n.y + cross(in.right, in.up) * n.z;
     let own = brightness(unit_or(normal, in.up), in.up, in.to_eye);
-    let color = texel.rgb * texel.rgb * in.light.rgb * (own / max(in.light.w, 1e-4));
+    let relief = mix(1.0, own / max(in.light.w, 1e-4), RELIEF);
+    let color = texel.rgb * texel.rgb * in.light.rgb * relief;
     return ClusterPixel(vec4<f32>(mix(color, frame.haze.rgb, in.haze), 1.0), samples);
 }

@@ -4,6 +4,8 @@
 #[cfg(test)]
 pub(crate) mod bands_twin;
 #[cfg(test)]
+pub(crate) mod continuum_twin;
+#[cfg(test)]
 pub(crate) mod strips_twin;
 #[cfg(test)]
 pub(crate) mod twin;
