@@ -41,6 +41,7 @@ scenes! {
     planet [],
     reference [],
     shapes [],
+    strips [],
     tornado [],
 }
 

@@ -1,6 +1,6 @@
 //! Which draw lists the plants of a page may be in.
 
-use super::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET};
+use super::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET, STRIP_BUCKETS};
 use super::quantize::has_flat_tip;
 use crate::{Form, Look, Species, Technique};
 
@@ -12,7 +12,8 @@ impl Buckets {
     /// Those that plants of these species may be in, in a view of that technique.
     pub fn of(species: &[Species], technique: Technique) -> Self {
         match technique {
-            Technique::Blades | Technique::Strips => Self::blades(species.iter()),
+            Technique::Blades => Self::blades(species.iter()),
+            Technique::Strips => Self::strips(),
             Technique::Billboards | Technique::Continuum => Self::bands(species),
         }
     }
@@ -33,6 +34,11 @@ impl Buckets {
         let quads = if any_quads { 1 << middle | 1 << far } else { 0 };
         let models = if species.iter().any(modelled) { 1 << MODEL_BUCKET } else { 0 };
         Self(blades.0 | quads | models)
+    }
+
+    /// Every plant a strip.
+    fn strips() -> Self {
+        Self(STRIP_BUCKETS.iter().fold(0, |all, bucket| all | 1 << bucket))
     }
 
     /// Of these, those of single blades.
