@@ -157,7 +157,8 @@ impl Renderer {
         let patches_a_page = (limits::page_blades(&available, field.patch_size())
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
-        let plants = PlantLayers::new(field.species().iter().filter_map(|s| s.form.look()));
+        let looks: Vec<_> = field.species().iter().filter_map(|s| s.form.look()).collect();
+        let plants = PlantLayers::new(looks.iter());
         plants.check(&available)?;
         let species = species_table(field, &plants);
         let (pictures, uploads) = self.layouts.no_pictures.of_plants(device, &plants);
