@@ -492,7 +492,8 @@ fn broken_pictures_of_plants_are_named() {
 #[test]
 fn pictures_of_strips_are_read() {
     let folder = Folder::new("strips");
-    let text = r#"(fields: [(on: Plane(), species: [(), (form: Strip(texture: (color: "p.png")))])])"#;
+    let text =
+        r#"(fields: [(on: Plane(), species: [(), (form: Strip(texture: (color: "p.png")))])])"#;
     assert!(folder.error(text).contains("p.png: no such file"));
     folder.write("p.png", &plant_png(8, Into::into));
     let scene = folder.parse(text).expect("a scene");
