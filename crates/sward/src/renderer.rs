@@ -18,6 +18,7 @@ use crate::gpu::view::{check_view, gpu_view};
 use crate::plants::layers::PlantLayers;
 use crate::{Error, Field, Frame, PhysicsModel, Statistics, Technique, View};
 
+mod baked;
 mod clock;
 mod debugging;
 mod inputs;
@@ -25,6 +26,7 @@ mod layouts;
 mod saved;
 mod sweeping;
 
+use baked::Unbaked;
 use clock::Clock;
 use inputs::Inputs;
 pub(crate) use layouts::Layouts;
@@ -96,6 +98,7 @@ pub struct Renderer {
     clock: Clock,
     model: PhysicsModel,
     pages: Vec<Page>,
+    unbaked: Vec<Unbaked>,
     totals: Statistics,
     read_back: ReadBack,
     /// Content of pictures that the next frame sends.
@@ -124,6 +127,7 @@ impl Renderer {
             clock: Clock::default(),
             model: PhysicsModel::default(),
             pages: Vec::new(),
+            unbaked: Vec::new(),
             totals: Statistics::default(),
             read_back: ReadBack::default(),
             uploads: Vec::new(),
@@ -157,6 +161,7 @@ impl Renderer {
         let patches_a_page = (limits::page_blades(&available, field.patch_size())
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
+        let first_page = self.pages.len();
         let looks: Vec<_> = field.species().iter().filter_map(|s| s.form.look()).collect();
         let plants = PlantLayers::new(looks.iter());
         plants.check(&available)?;
@@ -176,6 +181,10 @@ impl Renderer {
                 ticks,
             );
             self.pages.push(page);
+        }
+        if count > 0 {
+            let pages = first_page..self.pages.len();
+            self.unbaked.push(Unbaked::new(field, pictures, pages));
         }
         self.inputs.forget_lists();
         self.totals.blades += count;
@@ -276,6 +285,7 @@ impl Renderer {
     ) -> Result<(), Error> {
         check_view(view)?;
         self.send_pictures(encoder);
+        self.bake(device, encoder, view.technique);
         for page in 0..self.pages.len() {
             // Views are numbered without gaps
             for earlier in self.pages[page].views.len()..index {
@@ -397,6 +407,7 @@ impl Renderer {
     /// Forgets every field.
     pub(crate) fn clear(&mut self) {
         self.pages.clear();
+        self.unbaked.clear();
         self.totals = Statistics::default();
     }
 }

@@ -6,6 +6,7 @@
 mod clock;
 mod frame;
 mod fullscreen;
+mod grass_look;
 mod meshes;
 mod movers;
 mod opaque;
@@ -26,6 +27,7 @@ pub use options::{StageOptions, no_culling};
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
 use anyhow::{Context, Result};
 use frame::{CameraMatrices, FrameUniform};
+use grass_look::GrassLook;
 use image::RgbImage;
 use movers::Movers;
 use opaque::Opaque;
@@ -98,7 +100,9 @@ impl Stage {
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);
-        let opaque = Opaque::new(gpu, &uniform, scene, &movers, (samples, options.technique));
+        let grass = GrassLook::of_objects(scene, fields, &options);
+        let opaque =
+            Opaque::new(gpu, &uniform, scene, &movers, &grass, (samples, options.technique));
         let sky = Sky::new(device, &uniform, samples);
         let post = Post::new(device, &uniform, targets.picture.format(), &options);
         let mut stage = Self {

@@ -2,6 +2,7 @@
 //! colour after, so that ground under the grass is not shaded.
 
 use super::frame::FrameUniform;
+use super::grass_look::GrassLook;
 use super::meshes::{self, GpuMesh, GpuPlacement, VERTEX_BUFFERS};
 use super::movers::Movers;
 use super::swept::Swept;
@@ -30,6 +31,7 @@ impl Opaque {
         frame: &FrameUniform,
         scene: &Scene,
         movers: &Movers,
+        grass: &[GrassLook],
         (samples, technique): (u32, Technique),
     ) -> Self {
         let layout = texture::layout(&gpu.device);
@@ -42,7 +44,7 @@ impl Opaque {
             .map(|i| {
                 let object = &scene.objects[i];
                 let placement = meshes::object_placement(scene, i);
-                let texture = uploader.upload(object.texture.as_ref());
+                let texture = uploader.upload(object.texture.as_ref(), &grass[i]);
                 let mesh = meshes::with_normals(&object.mesh);
                 GpuMesh::new(&gpu.device, &mesh, &[placement], texture)
             })
@@ -51,7 +53,7 @@ impl Opaque {
         let things = movers.things(scene).into_iter().zip(&placed);
         let moving = things
             .map(|(thing, placed)| {
-                let texture = uploader.upload(thing.texture);
+                let texture = uploader.upload(thing.texture, &GrassLook::none());
                 GpuMesh::new(&gpu.device, &thing.mesh, placed, texture)
             })
             .collect();
@@ -126,7 +128,12 @@ fn pipeline(
     let shader = super::shader(
         device,
         label,
-        &[SHADE_WGSL, include_str!("ground.wgsl"), include_str!("opaque.wgsl")],
+        &[
+            SHADE_WGSL,
+            sward::canopy::WGSL,
+            include_str!("ground.wgsl"),
+            include_str!("opaque.wgsl"),
+        ],
     );
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(label),

@@ -1,6 +1,6 @@
 //! Which draw lists the plants of a page may be in.
 
-use super::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET, STRIP_BUCKETS};
+use super::layout::{BILLBOARD_BUCKETS, BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET, STRIP_BUCKETS};
 use super::quantize::has_flat_tip;
 use crate::{Form, Look, Species, Technique};
 
@@ -14,7 +14,12 @@ impl Buckets {
         match technique {
             Technique::Blades => Self::blades(species.iter()),
             Technique::Strips => Self::strips(),
-            Technique::Billboards | Technique::Continuum => Self::bands(species),
+            Technique::Billboards => Self::bands(species),
+            Technique::Continuum => {
+                let strips = species.iter().any(|s| matches!(s.form, Form::Strip(_)));
+                let strips = if strips { Self::strips().0 } else { 0 };
+                Self(Self::bands(species).0 | strips | 1 << CLUSTER_BUCKET)
+            }
         }
     }
 
@@ -39,11 +44,6 @@ impl Buckets {
     /// Every plant a strip.
     fn strips() -> Self {
         Self(STRIP_BUCKETS.iter().fold(0, |all, bucket| all | 1 << bucket))
-    }
-
-    /// Of these, those of single blades.
-    pub fn blades_only(self) -> Self {
-        Self(self.0 & ((1 << BLADE_BUCKETS) - 1))
     }
 
     /// In order.

@@ -90,6 +90,8 @@ pub struct Page {
     /// Bucket, morph and fade of each blade, two a word.
     pub decisions: wgpu::Buffer,
     blocks: wgpu::Buffer,
+    /// Bindings 0 to 5 of drawing.
+    drawn: [wgpu::Buffer; 6],
     /// Group 1 of the compute stages.
     pub group: wgpu::BindGroup,
     /// Group 1 of drawing.
@@ -157,6 +159,7 @@ fn pack(field: &Field, first_patch: usize, patch_count: usize) -> Packed {
             patch_count: patch_count as u32,
             patch_size: field.patch_size(),
             first_id: patches.first().map_or(0, |p| p.first),
+            cluster: [0.0; 4],
         },
         patches: gpu_patches(field, patches, cells.as_ref()),
         grid: cells.map(|(grid, _)| grid),
@@ -189,15 +192,14 @@ fn tints(field: &Field, patches: &[crate::grow::Patch]) -> Vec<u32> {
     tints
 }
 
-/// Group 1 of drawing: uniforms and buffers, the bands last; pictures lie between them.
+/// Group 1 of drawing.
 fn draw_group(
     device: &wgpu::Device,
     layouts: &Layouts,
-    buffers: [&wgpu::Buffer; 7],
+    (drawn, bands): (&[wgpu::Buffer; 6], &wgpu::Buffer),
     pictures: &Pictures,
 ) -> wgpu::BindGroup {
     use wgpu::BindingResource::{Sampler, TextureView};
-    let [drawn @ .., bands] = buffers;
     let mut resources: Vec<_> = drawn.iter().map(|b| b.as_entire_binding()).collect();
     resources.extend([
         TextureView(&pictures.cluster_color),
@@ -206,7 +208,7 @@ fn draw_group(
         TextureView(&pictures.plant_normal),
         Sampler(&pictures.sampler),
         bands.as_entire_binding(),
-        pictures.surfels.as_entire_binding(),
+        pictures.canopy.as_entire_binding(),
         TextureView(&pictures.plant_models),
     ]);
     bindings::group(device, "sward.draw_field", &layouts.draw_field, &resources)
@@ -250,7 +252,8 @@ impl Page {
         let decisions = store("sward.decisions", band_count * u64::from(BAND) * 2);
         let blocks = store("sward.blocks", block_count * size_of::<GpuBlock>() as u64);
         let shared = [&field_uniform, &species, &blades, &patches];
-        let drawn = [&field_uniform, &species, &blades, &patches, &dynamics, &tints, &bands];
+        let drawn =
+            [&field_uniform, &species, &blades, &patches, &dynamics, &tints].map(Clone::clone);
         let sized =
             [&blades, &tints, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
         Self {
@@ -263,7 +266,7 @@ impl Page {
                 tinted: !field.tints().is_empty(),
             },
             group: bindings::buffers(device, "sward.field", &layouts.field, &shared),
-            draw_group: draw_group(device, layouts, drawn, pictures),
+            draw_group: draw_group(device, layouts, (&drawn, &bands), pictures),
             collide: bindings::buffers(
                 device,
                 "sward.collide",
@@ -282,6 +285,7 @@ impl Page {
             work_reset,
             decisions,
             blocks,
+            drawn,
         }
     }
 
@@ -343,6 +347,20 @@ impl Page {
         write(device, encoder, &self.dynamics, bytemuck::cast_slice(&states));
         let clocks = first_bands((self.bands.size() / size_of::<GpuBand>() as u64) as usize, ticks);
         write(device, encoder, &self.bands, bytemuck::cast_slice(&clocks));
+    }
+
+    /// Gives it what was baked of its field: the size of its clusters, and pictures.
+    pub fn set_baked(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        layouts: &Layouts,
+        cluster: [f32; 4],
+        pictures: &Pictures,
+    ) {
+        self.field.cluster = cluster;
+        write(device, encoder, &self.drawn[0], bytemuck::bytes_of(&self.field));
+        self.draw_group = draw_group(device, layouts, (&self.drawn, &self.bands), pictures);
     }
 
     /// Which draw lists its plants may be in, in a view of that technique.

@@ -37,6 +37,8 @@ const STRIPS: &str = part!("frame/level/strips.wgsl");
 const BANDS: &str = part!("frame/level/bands.wgsl");
 const DECIDE: &str = part!("frame/update/decide.wgsl");
 const EXPLAIN: &str = part!("frame/debug/explain.wgsl");
+const DEBUG_COLORS: &str = part!("frame/debug/colors.wgsl");
+const DEBUG_CLUSTER: &str = part!("frame/debug/cluster.wgsl");
 const DEBUG: &str = part!("frame/debug/debug.wgsl");
 const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
@@ -44,6 +46,9 @@ const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
 const SHADE: &str = part!("frame/light/shade.wgsl");
 const SUNLIGHT: &str = part!("frame/light/sunlight.wgsl");
+const CANOPY: &str = part!("frame/light/canopy.wgsl");
+const END: &str = part!("frame/light/end.wgsl");
+const CLUSTER: &str = part!("frame/draw/cluster.wgsl");
 const PLANT: &str = part!("frame/draw/plant.wgsl");
 const PICTURES: &str = part!("frame/draw/pictures.wgsl");
 const QUADS: &str = part!("frame/draw/quads.wgsl");
@@ -81,6 +86,8 @@ pub enum Shader {
     Draw,
     /// Blades with lobes.
     DrawLobed,
+    /// Clusters.
+    DrawCluster,
     /// Modelled plants.
     DrawModel,
     /// Plants as quads.
@@ -93,6 +100,8 @@ pub enum Shader {
     ExplainMultisampled,
     /// Blades as a debug view shows them.
     DrawDebug,
+    /// Clusters likewise.
+    DrawDebugCluster,
     /// Rows of cells that a view may see.
     SweepColumns,
     /// Cells and triangles of a terrain that a view may see.
@@ -101,7 +110,7 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 18] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -110,12 +119,14 @@ impl Shader {
         Self::Compact,
         Self::Draw,
         Self::DrawLobed,
+        Self::DrawCluster,
         Self::DrawModel,
         Self::DrawBillboard,
         Self::DrawStrip,
         Self::Explain,
         Self::ExplainMultisampled,
         Self::DrawDebug,
+        Self::DrawDebugCluster,
         Self::SweepColumns,
         Self::SweepTerrain,
     ];
@@ -130,11 +141,12 @@ impl Shader {
             Self::Compact => "sward.compact",
             Self::Draw
             | Self::DrawLobed
+            | Self::DrawCluster
             | Self::DrawModel
             | Self::DrawBillboard
             | Self::DrawStrip => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
-            Self::DrawDebug => "sward.debug",
+            Self::DrawDebug | Self::DrawDebugCluster => "sward.debug",
             Self::SweepColumns | Self::SweepTerrain => "sward.sweep",
         }
     }
@@ -144,10 +156,13 @@ impl Shader {
         let blade =
             [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
         let draw = blade.concat();
-        let level = [LEVEL, FORM, CONTINUUM, STRIP_LOOK, STRIPS, BANDS];
+        let level = [LEVEL, END, FORM, CONTINUUM, STRIP_LOOK, STRIPS, BANDS];
         let plant =
             [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
         let plant = plant.concat();
+        let cluster =
+            [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &[CANOPY, PLANT, PICTURES, CLUSTER]];
+        let cluster = cluster.concat();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
         let update = [&motion[..], &level, &[TESTS, DECIDE, UPDATE]].concat();
@@ -166,7 +181,9 @@ impl Shader {
             Self::DrawStrip => &[&plant, &[STRIP_LOOK, STRIP_SHAPE, STRIP]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
-            Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG]],
+            Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG_COLORS, DEBUG]],
+            Self::DrawCluster => &[&cluster],
+            Self::DrawDebugCluster => &[&cluster, &[DEBUG_COLORS, DEBUG_CLUSTER]],
             // These know the ground and a view, and no field
             Self::SweepColumns => return vec![VIEW, SWEEP, SWEEP_COLUMNS],
             Self::SweepTerrain => return vec![VIEW, SWEEP, SWEEP_TERRAIN],

@@ -49,7 +49,7 @@ fn the_tip_is_cut_by_the_texture() {
     let picture = draw(&mut rig, 0);
     let rows: Vec<usize> = widths(&picture).into_iter().filter(|width| *width > 0).collect();
     println!("{rows:?}");
-    let (top, middle) = (rows[rows.len() / 20], rows[rows.len() / 2]);
+    let (top, middle) = (rows[rows.len() / 40], rows[rows.len() / 2]);
     assert!(rows.len() > 30 && middle > 10, "{rows:?}");
     assert!(top * 2 < middle, "{top} of {middle} near the tip");
     let full = rows.len() * rows.iter().max().copied().unwrap_or(0);

@@ -25,16 +25,22 @@ struct GpuView {
     capacity: u32,
     // Heights in pixels, times detail, that levels are chosen within: one level, where it is forced
     level_height: vec2<f32>,
-    // Width in pixels of a blade where blades begin to turn into clusters, and where all have
-    cluster_width: vec2<f32>,
+    // Mean height of the grass in pixels where blades begin to turn into clusters, and where all have
+    cluster_height: vec2<f32>,
     // 0 blades, 1 strips, 2 billboards, 3 continuum
     technique: u32,
+    // Clusters narrower than this many pixels are thinned out and widened to it
+    least_cluster: f32,
     // Of plants far off: share that is kept, and height
     far_share: f32,
     far_size: f32,
-    reserved: u32,
     // Where the bands of distance end, metres, and how much a plant's own differ
     bands: vec4<f32>,
+    // Multiplies heights where segments are chosen
+    level_scale: f32,
+    reserved_a: f32,
+    reserved_b: f32,
+    reserved_c: f32,
 }
 
 const BLADES: u32 = 0u;

@@ -228,7 +228,11 @@ fn legend(view: DebugView, counted: &Statistics) -> Legend {
             (format!("patches: {seen} of {all} seen"), Vec::new())
         }
         DebugView::Culling => (format!("drawn: {} blades", of_all(counted.blades_drawn)), vec![]),
-        DebugView::Level => ("level: blades drawn".into(), counted.drawn_by_level.to_vec()),
+        DebugView::Level => {
+            let mut counts = counted.drawn_by_level.to_vec();
+            counts.push(counted.clusters_drawn);
+            ("level: drawn".into(), counts)
+        }
         DebugView::Awake => (format!("moved: {} blades", of_all(counted.blades_moved)), vec![]),
         DebugView::Crush => return crush_legend(),
         _ => {

@@ -3,7 +3,9 @@
 use super::mesh::{Mesh, STRIP_SEGMENTS};
 use super::topology::Topology;
 use crate::Targets;
-use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, MODEL_BUCKET, STRIP_BUCKETS};
+use crate::gpu::layout::{
+    BILLBOARD_BUCKETS, BLADE_BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET, STRIP_BUCKETS,
+};
 use crate::gpu::shaders::Shader;
 
 /// What a field needs beyond the plain pipelines. Others do not pay for it: variants are made when
@@ -109,6 +111,13 @@ pub(super) fn bucket_pipeline(
         0..BLADE_BUCKETS => {
             Some(blade_pipeline(device, modules, (layout, targets), variant, bucket))
         }
+        CLUSTER_BUCKET => {
+            let module = &modules.get(device, Shader::DrawCluster);
+            let program =
+                Program { module, vertex: "vs_cluster", fragment: "fs_cluster", masked: false };
+            let constants = form_constants(bucket, targets, variant.tinted);
+            Some(pipeline(device, layout, targets, program, &constants))
+        }
         _ if BILLBOARD_BUCKETS.contains(&bucket) => {
             Some(billboard_pipeline(device, modules, (layout, targets), bucket))
         }
@@ -118,6 +127,20 @@ pub(super) fn bucket_pipeline(
         MODEL_BUCKET => Some(model_pipeline(device, modules, (layout, targets))),
         _ => None,
     }
+}
+
+/// What the pipeline of a bucket of another form than blades is made with.
+pub(crate) fn form_constants(
+    bucket: usize,
+    targets: Targets,
+    tinted: bool,
+) -> Vec<(&'static str, f64)> {
+    vec![
+        ("BUCKET", bucket as f64),
+        ("VERTICES", f64::from(Mesh::of(bucket).vertices)),
+        ("TINTED", f64::from(u8::from(tinted))),
+        ("SAMPLES", f64::from(targets.samples)),
+    ]
 }
 
 fn model_pipeline(
