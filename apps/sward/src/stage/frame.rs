@@ -2,7 +2,7 @@
 
 use super::reference::Crop;
 use bytemuck::{Pod, Zeroable};
-use glam::{Mat4, Vec2, Vec4};
+use glam::{Mat4, Vec4};
 use sward::Light;
 use sward_scene::{Camera, Scene};
 use wgpu::util::DeviceExt;
@@ -24,7 +24,8 @@ pub(super) struct GpuStageFrame {
     haze: Vec4,
     exposure: f32,
     samples_a_side: f32,
-    reserved: Vec2,
+    stands_in: f32,
+    reserved: f32,
 }
 
 /// The frame's uniform buffer and its bind group, group 0 of every pass of the stage.
@@ -55,7 +56,8 @@ impl CameraMatrices {
 }
 
 impl FrameUniform {
-    pub fn new(device: &wgpu::Device, scene: &Scene, light: &Light) -> Self {
+    /// In a reference, where all grass is drawn, the ground stands for none of it.
+    pub fn new(device: &wgpu::Device, scene: &Scene, light: &Light, reference: bool) -> Self {
         let values = GpuStageFrame {
             clip_from_world: Mat4::IDENTITY,
             view_from_clip: Mat4::IDENTITY,
@@ -70,7 +72,8 @@ impl FrameUniform {
             haze: light.haze.extend(light.haze_per_m),
             exposure: 1.0,
             samples_a_side: 1.0,
-            reserved: Vec2::ZERO,
+            stands_in: if reference { 0.0 } else { 1.0 },
+            reserved: 0.0,
         };
         let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("sward.stage.frame"),
@@ -96,6 +99,11 @@ impl FrameUniform {
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
         });
         Self { values, buffer, layout, group }
+    }
+
+    /// No haze from the next writing on.
+    pub fn clear_haze(&mut self) {
+        self.values.haze.w = 0.0;
     }
 
     /// Takes effect with the next submission.
@@ -147,6 +155,7 @@ mod tests {
             haze,
             exposure,
             samples_a_side,
+            stands_in,
             reserved
         ];
         let theirs: Vec<_> = members

@@ -20,7 +20,9 @@ struct GpuStageFrame {
     exposure: f32,
     // Samples of the target that a side of a pixel has: what is a pixel wide is so many of them
     samples_a_side: f32,
-    reserved: vec2<f32>,
+    // 1 where ground stands for the grass that is too far to be drawn, 0 where all is drawn
+    stands_in: f32,
+    reserved: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: GpuStageFrame;

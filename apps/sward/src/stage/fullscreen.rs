@@ -13,6 +13,8 @@ pub(super) struct FullscreenDesc<'a> {
     pub samples: u32,
     /// Number of textures in group 1.
     pub inputs: u32,
+    /// Whether these are multisampled.
+    pub multisampled: bool,
     /// Whether it is drawn only where nothing has been (depth is far).
     pub background: bool,
 }
@@ -32,7 +34,7 @@ impl Fullscreen {
     ) -> Self {
         let label = format!("sward.stage.{}", desc.name);
         let shader = super::shader(device, &label, &[include_str!("fullscreen.wgsl"), desc.source]);
-        let inputs = input_layout(device, &label, desc.inputs);
+        let inputs = input_layout(device, &label, desc.inputs, desc.multisampled);
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(&label),
             bind_group_layouts: &[Some(frame), Some(&inputs)],
@@ -123,7 +125,12 @@ fn background_depth() -> wgpu::DepthStencilState {
 }
 
 /// Textures that are read texel by texel, without a sampler.
-fn input_layout(device: &wgpu::Device, label: &str, count: u32) -> wgpu::BindGroupLayout {
+fn input_layout(
+    device: &wgpu::Device,
+    label: &str,
+    count: u32,
+    multisampled: bool,
+) -> wgpu::BindGroupLayout {
     let entries: Vec<_> = (0..count)
         .map(|binding| wgpu::BindGroupLayoutEntry {
             binding,
@@ -131,7 +138,7 @@ fn input_layout(device: &wgpu::Device, label: &str, count: u32) -> wgpu::BindGro
             ty: wgpu::BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Float { filterable: false },
                 view_dimension: wgpu::TextureViewDimension::D2,
-                multisampled: false,
+                multisampled,
             },
             count: None,
         })

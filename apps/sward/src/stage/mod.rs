@@ -6,6 +6,7 @@
 mod clock;
 mod frame;
 mod fullscreen;
+mod light;
 mod meshes;
 mod movers;
 mod opaque;
@@ -19,12 +20,14 @@ mod targets;
 mod texture;
 
 pub use clock::Clock;
+pub use light::LightMap;
 pub use options::{StageOptions, no_culling};
 
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
 use anyhow::{Context, Result};
 use frame::{CameraMatrices, FrameUniform};
 use image::RgbImage;
+use light::Readable;
 use movers::Movers;
 use opaque::Opaque;
 use options::view;
@@ -57,6 +60,8 @@ pub struct Stage {
     crop: Crop,
     /// What a reference is drawn to, once there was one.
     supersampled: Option<Supersampled>,
+    /// What [`Stage::light_map`] draws to.
+    readable: Option<Readable>,
     /// Whether the depth target holds the opaque things of this time, and nothing else.
     depth_is_opaque: bool,
 }
@@ -88,7 +93,7 @@ impl Stage {
         if !options.haze {
             light.haze_per_m = 0.0;
         }
-        let uniform = FrameUniform::new(device, scene, &light);
+        let uniform = FrameUniform::new(device, scene, &light, options.reference);
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);
@@ -113,6 +118,7 @@ impl Stage {
             warm_up_s,
             crop,
             supersampled: None,
+            readable: None,
             depth_is_opaque: false,
         };
         stage.write_camera();
@@ -257,7 +263,9 @@ impl Stage {
         });
         self.renderer.draw(&mut pass, 0);
         self.opaque.draw_color(&mut pass, &self.uniform);
-        self.passes.draw_sky(&mut pass, &self.uniform);
+        if self.options.sky {
+            self.passes.draw_sky(&mut pass, &self.uniform);
+        }
         drop(pass);
         self.depth_is_opaque = false;
     }

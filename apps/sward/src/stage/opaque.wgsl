@@ -102,5 +102,6 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
         color += frame.sun.rgb * lit * gloss(n, v, l, in.material.w);
     }
     let clear = exp(-frame.haze.w * distance(frame.eye.xyz, in.world));
-    return vec4(mix(frame.haze.rgb, color, clear), 1.0);
+    // Below 0: ground that stands for grass, and how much of it does
+    return vec4(mix(frame.haze.rgb, color, clear), -canopy);
 }

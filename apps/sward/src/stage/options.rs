@@ -21,6 +21,10 @@ pub struct StageOptions {
     pub culling: Culling,
     /// All blades, with all segments, none culled, 64 samples a pixel averaged in linear light.
     pub reference: bool,
+    /// Leaves out of a reference what is out of view: the same picture, sooner.
+    pub reference_in_view: bool,
+    /// Sky; black, where it is not drawn.
+    pub sky: bool,
     /// Haze, where the scene has any.
     pub haze: bool,
     /// Whether spheres push the blades.
@@ -46,6 +50,8 @@ impl StageOptions {
             physics: scene.physics,
             culling: scene.culling,
             reference: false,
+            reference_in_view: false,
+            sky: true,
             haze: true,
             collisions: true,
             debug: None,
@@ -86,6 +92,7 @@ pub(super) fn view<'a>(
     });
     if options.reference {
         view.culling = no_culling(options.culling);
+        view.culling.frustum = options.reference_in_view;
         view.detail = f32::INFINITY;
         view.width_correction = false;
     }

@@ -37,6 +37,7 @@ impl Passes {
             format: COLOR_FORMAT,
             samples,
             inputs: 0,
+            multisampled: false,
             background: true,
         };
         let post = FullscreenDesc {
@@ -45,6 +46,7 @@ impl Passes {
             format: targets.picture.format(),
             samples: 1,
             inputs: 1,
+            multisampled: false,
             background: false,
         };
         Self { sky: make(sky, &[]), post: make(post, &[targets.linear()]) }

@@ -2,7 +2,6 @@
 
 use crate::gpu::Gpu;
 use anyhow::{Context, Result};
-#[cfg(test)]
 use glam::Vec4;
 use image::RgbImage;
 
@@ -14,7 +13,6 @@ pub(super) fn read(gpu: &Gpu, texture: &wgpu::Texture) -> Result<RgbImage> {
         .context("the picture came back with a wrong size")
 }
 
-#[cfg(test)]
 /// Copies an `Rgba32Float` texture, row by row.
 pub(super) fn floats(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<Vec4>> {
     let bytes = bytes(gpu, texture, 16)?;

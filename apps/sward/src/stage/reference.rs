@@ -4,7 +4,8 @@
 
 use super::Stage;
 use super::frame::FrameUniform;
-use super::fullscreen::{Fullscreen, FullscreenDesc};
+use super::fullscreen::Fullscreen;
+use super::light::{SUM_FORMAT, averaging};
 use super::targets::{Targets, texture};
 use crate::gpu::Gpu;
 use anyhow::Result;
@@ -14,7 +15,6 @@ use glam::{Mat4, Vec2, Vec3};
 const SIDE: u32 = 8;
 /// Most samples of a tile; with colour and depth, 12 bytes each, 604 MB.
 const MOST_SAMPLES: u32 = 8192 * 6144;
-const SUM_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
 /// A part of the picture, and how finely it is sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,15 +83,7 @@ impl Supersampled {
         let tiles = tiles(size, device.limits().max_texture_dimension_2d);
         let tile_size = tiles.first().map_or(size, |tile| tile.size);
         let samples = Targets::without_picture(device, tile_size.map(|side| side * SIDE));
-        let desc = FullscreenDesc {
-            name: "average",
-            source: include_str!("average.wgsl"),
-            format: SUM_FORMAT,
-            samples: 1,
-            inputs: 1,
-            background: false,
-        };
-        let average = Fullscreen::new(device, &frame.layout, &desc);
+        let average = averaging(device, frame, false);
         let inputs = average.bind(device, &[samples.linear()]);
         use wgpu::TextureUsages as U;
         let tile_usage = U::RENDER_ATTACHMENT | U::COPY_SRC;
@@ -108,6 +100,11 @@ impl Supersampled {
             tile,
             linear,
         }
+    }
+
+    /// The whole picture, averaged.
+    pub fn linear(&self) -> &wgpu::Texture {
+        &self.linear
     }
 
     /// Records the average of a tile's samples into its place.
@@ -128,6 +125,17 @@ impl Supersampled {
 impl Stage {
     /// Draws the reference up to the encoded picture.
     pub(super) fn render_reference(&mut self) -> Result<()> {
+        self.draw_reference()?;
+        let Some(target) = &self.supersampled else { return Ok(()) };
+        let mut encoder = self.encoder();
+        let (device, linear) = (&self.gpu.device, &target.linear_view);
+        self.passes.run_post_from(device, &mut encoder, &self.uniform, &self.targets, linear);
+        self.submit(encoder);
+        Ok(())
+    }
+
+    /// Draws the reference in linear light.
+    pub(super) fn draw_reference(&mut self) -> Result<()> {
         let mut target = match self.supersampled.take() {
             Some(target) => target,
             None => Supersampled::new(&self.gpu, &self.uniform, self.options.size),
@@ -138,13 +146,8 @@ impl Stage {
         self.crop = Crop::whole(self.options.size);
         self.depth_is_opaque = false;
         self.write_camera();
-        drawn?;
-        let mut encoder = self.encoder();
-        let (device, linear) = (&self.gpu.device, &target.linear_view);
-        self.passes.run_post_from(device, &mut encoder, &self.uniform, &self.targets, linear);
-        self.submit(encoder);
         self.supersampled = Some(target);
-        Ok(())
+        drawn
     }
 
     /// Draws all tiles to the samples that are the stage's targets for now.
