@@ -8,6 +8,7 @@ mod output;
 mod progress;
 mod states;
 mod table;
+mod technique;
 mod video;
 
 use clap::Parser;

@@ -86,6 +86,7 @@ pub mod field;
 pub mod frame;
 mod gpu;
 pub mod grow;
+#[allow(dead_code)]
 pub mod plants;
 pub mod renderer;
 pub mod shared;
@@ -93,6 +94,7 @@ pub mod simulation;
 pub mod solid;
 pub mod species;
 pub mod statistics;
+pub mod technique;
 pub mod view;
 
 #[cfg(test)]
@@ -112,8 +114,9 @@ pub use plants::{Look, Picture, Plant};
 pub use renderer::{Renderer, Stage, Targets};
 pub use simulation::{Frame, Gravity, Light, PhysicsModel, Sphere};
 pub use solid::{PackDesc, Packing, Solid};
-pub use species::{ColorRange, Range, Shape, Species};
+pub use species::{Billboard, ColorRange, Form, Range, Shape, Species, Strip};
 pub use statistics::Statistics;
+pub use technique::Technique;
 pub use view::{Culling, View};
 
 /// The README's program compiles.

@@ -5,7 +5,7 @@ use crate::frame::compact::Compact;
 use crate::frame::cull::Cull;
 use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
-use crate::frame::draw::topology::vertices_by_bucket;
+use crate::frame::draw::mesh::vertices_by_bucket;
 use crate::frame::update::{Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
@@ -13,7 +13,7 @@ use crate::gpu::page::Page;
 use crate::gpu::quantize::species_table;
 use crate::gpu::statistics::{PageCounts, ReadBack};
 use crate::gpu::view::{check_view, gpu_view};
-use crate::{Error, Field, Frame, PhysicsModel, Statistics, View};
+use crate::{Error, Field, Frame, PhysicsModel, Statistics, Technique, View};
 
 mod clock;
 mod debugging;
@@ -152,7 +152,6 @@ impl Renderer {
             let range = first..(first + patches_a_page).min(patch_count);
             let ticks = self.clock.ticks();
             let page = Page::new(device, &self.layouts, field, &species, range, self.model, ticks);
-            self.draw.ensure(device, page.variant);
             self.pages.push(page);
         }
         self.inputs.forget_lists();
@@ -255,11 +254,19 @@ impl Renderer {
             }
             let all = self.pages[page].field.blade_count;
             self.ensure_view(device, page, index, Some(view.max_blades.unwrap_or(all)));
+            self.ensure_pipelines(device, page, index, view.technique);
             let lists = &self.pages[page].views[index];
             let uniform = gpu_view(view, lists.capacity);
             buffers::write(device, encoder, &lists.view, bytemuck::bytes_of(&uniform));
         }
         Ok(())
+    }
+
+    fn ensure_pipelines(&mut self, device: &wgpu::Device, page: usize, view: usize, by: Technique) {
+        let page = &mut self.pages[page];
+        let buckets = page.buckets(by);
+        page.views[view].buckets = buckets;
+        self.draw.ensure(device, page.variant, buckets);
     }
 
     /// Encodes one stage of one view over all pages. Stages of a view go in the order of

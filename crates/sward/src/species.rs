@@ -59,6 +59,40 @@ pub enum Shape {
     Dandelion,
 }
 
+/// Two textured strips at an angle about a shared middle line (Olofsson and Silven).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub struct Strip {}
+
+/// Textured quads about the plant's up direction (Wang and Yao 2023).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub struct Billboard {}
+
+/// What a plant is drawn as near the camera, in views whose technique leaves the choice.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub enum Form {
+    /// A curved blade.
+    #[default]
+    Blade,
+    /// Strips.
+    Strip(Strip),
+    /// A modelled plant, then quads.
+    Billboard(Billboard),
+}
+
+impl Form {
+    /// Number in the shaders.
+    pub(crate) fn number(self) -> u32 {
+        match self {
+            Self::Blade => 0,
+            Self::Strip(_) => 1,
+            Self::Billboard(_) => 2,
+        }
+    }
+}
+
 /// One kind of plant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Species {
@@ -68,6 +102,8 @@ pub struct Species {
     pub share: f32,
     /// Outline.
     pub shape: Shape,
+    /// What it is drawn as near the camera.
+    pub form: Form,
     /// Length of the blade, metres, above 0.
     pub height_m: Range,
     /// Full width at the root, metres, above 0.
@@ -96,6 +132,7 @@ impl Default for Species {
             name: "grass".into(),
             share: 1.0,
             shape: Shape::TriangleTip { tip: 0.5 },
+            form: Form::default(),
             height_m: Range::new(0.25, 0.5),
             width_m: Range::new(0.008, 0.014),
             response: Range::new(3.5, 6.5),

@@ -11,10 +11,18 @@ pub struct Statistics {
     pub patches_visible: u64,
     /// Blades in those patches.
     pub blades_visible: u64,
-    /// Blades drawn.
+    /// Plants drawn, each in one form: the sum of the five counts that follow.
     pub blades_drawn: u64,
-    /// Those by level: with 8, 4, 2 and 1 segments.
+    /// Those drawn as single blades, by level: with 8, 4, 2 and 1 segments.
     pub drawn_by_level: [u64; 4],
+    /// Those drawn as clusters, each of which stands for 32 blades.
+    pub clusters_drawn: u64,
+    /// Those drawn as strips.
+    pub strips_drawn: u64,
+    /// Those drawn as billboards.
+    pub billboards_drawn: u64,
+    /// Those drawn as modelled plants.
+    pub models_drawn: u64,
     /// Blades that the step moved; the others sleep.
     pub blades_moved: u64,
     /// Failed the orientation test (a blade that fails two tests counts in both).

@@ -1,6 +1,6 @@
 //! Views: cameras and shadow cascades that share one simulation.
 
-use crate::{DebugView, Observer};
+use crate::{DebugView, Observer, Technique};
 use glam::Mat4;
 
 /// Which tests cull blades, and how.
@@ -48,6 +48,8 @@ pub struct View<'a> {
     pub culling: Culling,
     /// Detail: 1 is the default; higher keeps more segments and thins later; infinity keeps all.
     pub detail: f32,
+    /// Which forms plants are drawn in.
+    pub technique: Technique,
     /// Draws every blade at this level, 0 to 3: with 8, 4, 2 or 1 segments, without morphs; `None`
     /// chooses by size. For pictures that compare levels; more segments cost more vertices.
     pub level: Option<u8>,
@@ -75,6 +77,7 @@ impl View<'_> {
             opaque_depth: None,
             culling: Culling::default(),
             detail: 1.0,
+            technique: Technique::default(),
             level: None,
             debug: None,
             observer: None,

@@ -128,6 +128,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         sky: checked.sky,
         gravity: checked.gravity,
         physics: checked.physics,
+        technique: checked.technique,
         culling: checked.culling,
         ground: checked.ground,
         warm_up_s: checked.warm_up_s,

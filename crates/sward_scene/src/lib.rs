@@ -70,6 +70,8 @@ pub struct Scene {
     pub gravity: sward::Gravity,
     /// Physical model.
     pub physics: sward::PhysicsModel,
+    /// Which forms plants are drawn in.
+    pub technique: sward::Technique,
     /// Which tests cull blades.
     pub culling: sward::Culling,
     /// Look of bare ground.

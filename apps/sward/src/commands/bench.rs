@@ -7,6 +7,7 @@ use crate::args::Size;
 use crate::measure::{self, Measured, Report};
 use crate::output;
 use crate::progress;
+use crate::technique::TechniqueChoice;
 use anyhow::{Context, Result, bail};
 use clap::ValueEnum;
 use std::io::Write;
@@ -41,6 +42,9 @@ pub struct Args {
     /// Camera of the scene [default: its first]
     #[arg(long, value_name = "NAME")]
     camera: Option<String>,
+    /// Which forms plants are drawn in [default: the scene's]
+    #[arg(long, value_enum, value_name = "NAME")]
+    technique: Option<TechniqueChoice>,
     /// Scale the scene's densities and counts to about this many blades
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     blades: Option<u64>,
@@ -113,6 +117,7 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
 
 fn options(args: &Args, scene: &Scene, samples: u32) -> Result<StageOptions> {
     let mut options = StageOptions::new(scene, args.camera.as_deref(), args.size.0, samples)?;
+    options.technique = args.technique.map_or(options.technique, Into::into);
     for without in &args.without {
         let culling = &mut options.culling;
         match without {

@@ -8,6 +8,7 @@ use crate::output::{Output, write_picture};
 use crate::progress;
 use crate::states::States;
 use crate::table::thousands;
+use crate::technique::TechniqueChoice;
 use crate::video::Video;
 use anyhow::{Context, Result};
 use look::{DebugChoice, Look};
@@ -69,6 +70,9 @@ pub struct Args {
     /// How blades move [default: the scene's]
     #[arg(long, value_enum)]
     physics: Option<Physics>,
+    /// Which forms plants are drawn in [default: the scene's]
+    #[arg(long, value_enum, value_name = "NAME")]
+    technique: Option<TechniqueChoice>,
     /// How blades are culled [default: the scene's]
     #[arg(long, value_enum)]
     culling: Option<CullingChoice>,
@@ -182,6 +186,7 @@ fn options(args: &Args, scene: &Scene, gpu: &Gpu) -> Result<StageOptions> {
         Some(Physics::Paper) => options.physics = PhysicsModel::Paper,
         None => {}
     }
+    options.technique = args.technique.map_or(options.technique, Into::into);
     let culling = &mut options.culling;
     match args.culling {
         Some(CullingChoice::Sward) => culling.paper = false,

@@ -3,7 +3,7 @@
 use super::frame::CameraMatrices;
 use super::reference::Crop;
 use anyhow::Result;
-use sward::{ColorRange, Culling, DebugView, Observer, PhysicsModel, View};
+use sward::{ColorRange, Culling, DebugView, Observer, PhysicsModel, Technique, View};
 use sward_scene::{Camera, Scene};
 
 /// How a scene is drawn.
@@ -17,6 +17,8 @@ pub struct StageOptions {
     pub camera: Camera,
     /// How blades move.
     pub physics: PhysicsModel,
+    /// Which forms plants are drawn in.
+    pub technique: Technique,
     /// How blades are culled.
     pub culling: Culling,
     /// All blades, with all segments, none culled, 64 samples a pixel averaged in linear light.
@@ -48,6 +50,7 @@ impl StageOptions {
             samples,
             camera: scene.camera(camera)?.clone(),
             physics: scene.physics,
+            technique: scene.technique,
             culling: scene.culling,
             reference: false,
             reference_in_view: false,
@@ -82,6 +85,7 @@ pub(super) fn view<'a>(
 ) -> View<'a> {
     let mut view = View::new(camera.view_from_world, camera.clip_from_view, size);
     view.opaque_depth = Some(opaque_depth);
+    view.technique = options.technique;
     view.culling = options.culling;
     view.level = options.level;
     view.debug = options.debug;

@@ -18,6 +18,10 @@ pub enum Kind {
         /// Whether it has several samples a pixel.
         multisampled: bool,
     },
+    /// Colour pictures in layers, filtered.
+    Pictures,
+    /// Filtering sampler.
+    Sampler,
 }
 
 impl Kind {
@@ -38,6 +42,12 @@ impl Kind {
                 view_dimension: wgpu::TextureViewDimension::D2,
                 multisampled,
             },
+            Self::Pictures => BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Float { filterable: true },
+                view_dimension: wgpu::TextureViewDimension::D2Array,
+                multisampled: false,
+            },
+            Self::Sampler => BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
         }
     }
 }

@@ -19,8 +19,8 @@
 //! a colour map have no such bytes: their static and dynamic data and lists stay below 32.
 //!
 //! # What else grows with the blades
-//! Per blade 4 bytes of draw list and 2 of decisions; per 64 blades 48 bytes of clocks, counts and
-//! offsets; per patch its box (48), its list of near colliders (128) and work entry (8).
+//! Per blade 4 bytes of draw list and 2 of decisions; per 64 blades 64 bytes of clocks, counts,
+//! offsets and sway; per patch its box (48), its list of near colliders (128) and work entry (8).
 
 use bytemuck::{Pod, Zeroable};
 
@@ -28,8 +28,19 @@ use bytemuck::{Pod, Zeroable};
 pub const BAND: u32 = 64;
 /// Bands of one block of the scan.
 pub const BLOCK: u32 = 256;
-/// Draw lists: four levels, pointed and flat-tipped.
-pub const BUCKETS: usize = 8;
+/// Draw lists: 0 to 7 blades (four levels, pointed and flat-tipped), 8 clusters, 9 and 10 strips of
+/// many and few rings, 11 and 12 billboards near and far, 13 modelled plants. Number 15 is none.
+pub const BUCKETS: usize = 16;
+/// Of them, those of single blades.
+pub const BLADE_BUCKETS: usize = 8;
+/// Clusters.
+pub const CLUSTER_BUCKET: usize = 8;
+/// Strips of many rings, and of few.
+pub const STRIP_BUCKETS: [usize; 2] = [9, 10];
+/// Billboards in the middle band, and in the far one.
+pub const BILLBOARD_BUCKETS: [usize; 2] = [11, 12];
+/// Modelled plants.
+pub const MODEL_BUCKET: usize = 13;
 /// Words of a patch's list of near colliders: 2, and 3 for each of up to [`NEAR_SLOTS`] chunks.
 pub const NEAR_STRIDE: u32 = 32;
 /// Most chunks of primitives in a patch's list.
@@ -112,6 +123,8 @@ pub struct GpuSpecies {
     pub form: [f32; 4],
     pub area_scale: [f32; 4],
     pub colors: [u32; 4],
+    pub look: [u32; 4],
+    pub look_values: [f32; 4],
 }
 
 /// `GpuView` of view.wgsl.
@@ -131,7 +144,11 @@ pub struct GpuView {
     pub flags: u32,
     pub capacity: u32,
     pub level_height: [f32; 2],
-    pub reserved: [f32; 2],
+    pub cluster_width: [f32; 2],
+    pub technique: u32,
+    pub reserved_a: u32,
+    pub reserved_b: u32,
+    pub reserved_c: u32,
 }
 
 /// `GpuBand` of band.wgsl.
@@ -141,18 +158,18 @@ pub struct GpuBand {
     pub step: u32,
     pub ticks: u32,
     pub culled: [u32; 2],
-    pub counts: [u32; 4],
+    pub counts: [u32; 8],
     pub tested: u32,
-    pub reserved_a: u32,
-    pub reserved_b: u32,
-    pub reserved_c: u32,
+    pub sway_x: f32,
+    pub sway_y: f32,
+    pub sway_z: f32,
 }
 
 /// `GpuBlock` of band.wgsl.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub struct GpuBlock {
-    pub buckets: [u32; 8],
+    pub buckets: [u32; 16],
     pub counted: [u32; 8],
 }
 

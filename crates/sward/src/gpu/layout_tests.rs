@@ -8,6 +8,7 @@ use crate::frame::collide::primitive::{self, GpuPrimitive};
 use crate::frame::debug::{CORNER_STRIDE, GpuDebug};
 use crate::frame::draw::topology::BLADES_PER_INSTANCE;
 use crate::frame::wind::GpuWindSource;
+use crate::{Billboard, Form, Strip, Technique};
 use std::mem::{offset_of, size_of};
 
 struct Expected {
@@ -88,6 +89,8 @@ fn structs() -> Vec<Expected> {
             form,
             area_scale,
             colors,
+            look,
+            look_values,
         }),
         expected!(GpuView {
             clip_from_world,
@@ -103,18 +106,13 @@ fn structs() -> Vec<Expected> {
             flags,
             capacity,
             level_height,
-            reserved,
-        }),
-        expected!(GpuBand {
-            step,
-            ticks,
-            culled,
-            counts,
-            tested,
+            cluster_width,
+            technique,
             reserved_a,
             reserved_b,
-            reserved_c
+            reserved_c,
         }),
+        expected!(GpuBand { step, ticks, culled, counts, tested, sway_x, sway_y, sway_z }),
         expected!(GpuBlock { buckets, counted }),
         expected!(GpuDraw { start, count, dropped, reserved }),
         expected!(GpuDebug { mode, reserved_a, reserved_b, reserved_c, palette }),
@@ -167,6 +165,17 @@ fn constants_agree_with_the_shaders() {
     let expected = [
         ("BAND", BAND),
         ("BUCKETS", BUCKETS as u32),
+        ("CLUSTER_BUCKET", CLUSTER_BUCKET as u32),
+        ("STRIP_BUCKET", STRIP_BUCKETS[0] as u32),
+        ("BILLBOARD_BUCKET", BILLBOARD_BUCKETS[0] as u32),
+        ("MODEL_BUCKET", MODEL_BUCKET as u32),
+        ("BLADES", Technique::Blades as u32),
+        ("STRIPS", Technique::Strips as u32),
+        ("BILLBOARDS", Technique::Billboards as u32),
+        ("CONTINUUM", Technique::Continuum as u32),
+        ("FORM_BLADE", Form::Blade.number()),
+        ("FORM_STRIP", Form::Strip(Strip::default()).number()),
+        ("FORM_BILLBOARD", Form::Billboard(Billboard::default()).number()),
         ("BLOCK", BLOCK),
         ("NEAR_STRIDE", NEAR_STRIDE),
         ("NEAR_SLOTS", NEAR_SLOTS),

@@ -1,11 +1,13 @@
 //! What the stages share on the GPU: layout, buffers, bindings, capabilities.
 
 pub mod bindings;
+pub mod buckets;
 pub mod buffers;
 pub mod fingerprint;
 pub mod layout;
 pub mod limits;
 pub mod page;
+pub mod pictures;
 pub mod quantize;
 pub mod read;
 pub mod shaders;

@@ -1,17 +1,19 @@
 //! A page: up to four million blades of a field in buffers that one binding holds.
 
 use super::bindings;
+use super::buckets::Buckets;
 use super::buffers::{filled, storage, uniform, write};
 use super::fingerprint;
 use super::layout::{
     BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuPatch, GpuSpecies, GpuView,
     MAX_SPECIES, NEAR_STRIDE, TICKS_PER_SECOND,
 };
+use super::pictures::Pictures;
 use super::quantize::{gpu_patch, pack_blade};
 use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
 use crate::frame::draw::pipelines::Variant;
 use crate::renderer::Layouts;
-use crate::{Field, PhysicsModel, Shape, Species};
+use crate::{Field, PhysicsModel, Shape, Technique};
 use bytemuck::Zeroable;
 use rayon::prelude::*;
 use wgpu::BufferUsages;
@@ -27,6 +29,8 @@ const ASLEEP_AT_FIRST_S: f64 = 60.0;
 pub struct ViewLists {
     /// Most entries.
     pub capacity: u32,
+    /// Which of them plants may be in.
+    pub buckets: Buckets,
     /// `GpuView`.
     pub view: wgpu::Buffer,
     /// Range of each bucket.
@@ -58,8 +62,8 @@ pub struct Page {
     pub field: GpuField,
     /// Of everything that does not change.
     pub fingerprint: u64,
-    /// Whether a species has a pointed, or a flat tip.
-    pub topologies: [bool; 2],
+    /// Which draw lists its plants may be in, by technique.
+    buckets: [Buckets; Technique::ALL.len()],
     /// Which pipelines draw it.
     pub variant: Variant,
     /// A colour a blade, or one word; for tests.
@@ -164,6 +168,28 @@ fn tints(field: &Field, patches: &[crate::grow::Patch]) -> Vec<u32> {
     tints
 }
 
+/// Group 1 of drawing: uniforms and buffers, the bands last; pictures lie between them.
+fn draw_group(
+    device: &wgpu::Device,
+    layouts: &Layouts,
+    buffers: [&wgpu::Buffer; 7],
+    pictures: &Pictures,
+) -> wgpu::BindGroup {
+    use wgpu::BindingResource::{Sampler, TextureView};
+    let [drawn @ .., bands] = buffers;
+    let mut resources: Vec<_> = drawn.iter().map(|b| b.as_entire_binding()).collect();
+    resources.extend([
+        TextureView(&pictures.cluster_color),
+        TextureView(&pictures.cluster_shape),
+        TextureView(&pictures.plant_color),
+        TextureView(&pictures.plant_normal),
+        Sampler(&pictures.sampler),
+        bands.as_entire_binding(),
+        pictures.surfels.as_entire_binding(),
+    ]);
+    bindings::group(device, "sward.draw_field", &layouts.draw_field, &resources)
+}
+
 impl Page {
     /// Uploads a run of a field's patches.
     pub fn new(
@@ -202,19 +228,19 @@ impl Page {
         let decisions = store("sward.decisions", band_count * u64::from(BAND) * 2);
         let blocks = store("sward.blocks", block_count * size_of::<GpuBlock>() as u64);
         let shared = [&field_uniform, &species, &blades, &patches];
-        let drawn = [&field_uniform, &species, &blades, &patches, &dynamics, &tints];
+        let drawn = [&field_uniform, &species, &blades, &patches, &dynamics, &tints, &bands];
         let sized =
             [&blades, &tints, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
         Self {
             field: counts,
             fingerprint,
-            topologies: topologies(field.species()),
+            buckets: Technique::ALL.map(|technique| Buckets::of(field.species(), technique)),
             variant: Variant {
                 lobed: field.species().iter().any(|s| s.shape == Shape::Dandelion),
                 tinted: !field.tints().is_empty(),
             },
             group: bindings::buffers(device, "sward.field", &layouts.field, &shared),
-            draw_group: bindings::buffers(device, "sward.draw_field", &layouts.draw_field, &drawn),
+            draw_group: draw_group(device, layouts, drawn, &layouts.no_pictures),
             collide: bindings::buffers(
                 device,
                 "sward.collide",
@@ -296,6 +322,11 @@ impl Page {
         write(device, encoder, &self.bands, bytemuck::cast_slice(&clocks));
     }
 
+    /// Which draw lists its plants may be in, in a view of that technique.
+    pub fn buckets(&self, technique: Technique) -> Buckets {
+        self.buckets[technique as usize]
+    }
+
     /// Makes sure that view `index` has lists of `capacity` entries.
     pub fn ensure_view(
         &mut self,
@@ -339,6 +370,7 @@ impl Page {
         let compact = [&view, &self.bands, &self.blocks, &self.work, &self.decisions, &list];
         ViewLists {
             capacity,
+            buckets: Buckets::default(),
             cull: bind(
                 "sward.cull",
                 &layouts.cull,
@@ -357,9 +389,4 @@ impl Page {
             counted,
         }
     }
-}
-
-fn topologies(species: &[Species]) -> [bool; 2] {
-    let flat = |s: &Species| super::quantize::has_flat_tip(s);
-    [!species.iter().all(flat), species.iter().any(flat)]
 }

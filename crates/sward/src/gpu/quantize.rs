@@ -215,6 +215,8 @@ fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies
             lost * full / outline_area(species.shape, SEGMENTS[level])
         }),
         colors: [root.from, root.to, top.from, top.to].map(pack_color),
+        look: [species.form.number(), 0, 0, 0],
+        look_values: [0.0; 4],
     }
 }
 

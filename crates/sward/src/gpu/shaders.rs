@@ -31,6 +31,10 @@ const TESTS: &str = part!("frame/cull/tests.wgsl");
 const PATCH: &str = part!("frame/cull/patch.wgsl");
 const CULL: &str = part!("frame/cull/cull.wgsl");
 const LEVEL: &str = part!("frame/level/level.wgsl");
+const FORM: &str = part!("frame/level/form.wgsl");
+const CONTINUUM: &str = part!("frame/level/continuum.wgsl");
+const STRIPS: &str = part!("frame/level/strips.wgsl");
+const BANDS: &str = part!("frame/level/bands.wgsl");
 const DECIDE: &str = part!("frame/update/decide.wgsl");
 const EXPLAIN: &str = part!("frame/debug/explain.wgsl");
 const DEBUG: &str = part!("frame/debug/debug.wgsl");
@@ -38,6 +42,7 @@ const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
 const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
+const PLANT: &str = part!("frame/draw/plant.wgsl");
 const OUTLINE: &str = part!("frame/draw/outline.wgsl");
 const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
@@ -102,26 +107,15 @@ impl Shader {
     }
 
     fn parts(self) -> Vec<&'static str> {
-        let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, OUTLINE, BLADE_POINT, DRAW].as_slice();
+        let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, PLANT, OUTLINE, BLADE_POINT, DRAW].as_slice();
+        let level = [LEVEL, FORM, CONTINUUM, STRIPS, BANDS];
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
-        let update = [
-            STATE,
-            BAND,
-            VIEW,
-            LEVEL,
-            WIND,
-            WIND_PLACED,
-            WIND_TEXTURED,
-            PHYSICS,
-            PAPER,
-            TESTS,
-            DECIDE,
-            UPDATE,
-        ];
-        let explain = [STATE, BAND, VIEW, LEVEL, TESTS, DECIDE, PATCH, EXPLAIN];
+        let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
+        let update = [&motion[..], &level, &[TESTS, DECIDE, UPDATE]].concat();
+        let explain = [&[STATE, BAND, VIEW][..], &level, &[TESTS, DECIDE, PATCH, EXPLAIN]].concat();
         let rest: &[&[&str]] = match self {
             Self::Collide => &[&[PRIMITIVE, COLLIDE]],
-            Self::Cull => &[&[BAND, VIEW, LEVEL, PATCH, CULL]],
+            Self::Cull => &[&[BAND, VIEW], &level, &[PATCH, CULL]],
             Self::Update => &[&[DEPTH_SINGLE], &collide, &update],
             Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &collide, &update],
             Self::Scan => &[&[BAND, DRAWS, VIEW, SCAN]],

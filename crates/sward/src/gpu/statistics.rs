@@ -1,6 +1,8 @@
 //! Counted work comes back a frame or more late, without a wait.
 
-use super::layout::{BUCKETS, GpuDraw};
+use super::layout::{
+    BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, CLUSTER_BUCKET, GpuDraw, MODEL_BUCKET, STRIP_BUCKETS,
+};
 use crate::Statistics;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -151,6 +153,20 @@ impl ReadBack {
     }
 }
 
+/// What counts the plants of a bucket by form.
+fn form_count(sum: &mut Statistics, bucket: usize) -> &mut u64 {
+    const OTHERS: usize = BLADE_BUCKETS;
+    match bucket {
+        0..OTHERS => &mut sum.drawn_by_level[bucket % 4],
+        CLUSTER_BUCKET => &mut sum.clusters_drawn,
+        bucket if bucket == MODEL_BUCKET => &mut sum.models_drawn,
+        bucket if STRIP_BUCKETS.contains(&bucket) => &mut sum.strips_drawn,
+        bucket if BILLBOARD_BUCKETS.contains(&bucket) => &mut sum.billboards_drawn,
+        // No one is in the last lists
+        _ => &mut sum.dropped,
+    }
+}
+
 fn sum_pages(words: &[u32], vertices: &[u32; BUCKETS]) -> Statistics {
     let mut sum = Statistics::default();
     for page in words.chunks_exact((PAGE_BYTES / 4) as usize) {
@@ -165,7 +181,7 @@ fn sum_pages(words: &[u32], vertices: &[u32; BUCKETS]) -> Statistics {
         sum.blades_moved += count(counted[5]);
         for (bucket, (draw, per_blade)) in draws.chunks_exact(4).zip(vertices).enumerate() {
             sum.blades_drawn += count(draw[1]);
-            sum.drawn_by_level[bucket % 4] += count(draw[1]);
+            *form_count(&mut sum, bucket) += count(draw[1]);
             sum.vertices += count(draw[1]) * count(*per_blade);
             sum.dropped += count(draw[2]);
         }

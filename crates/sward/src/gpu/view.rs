@@ -9,6 +9,9 @@ use glam::{Mat4, Vec3, Vec4};
 /// Survivors are widened to this many pixels at detail 1.
 pub const LEAST_WIDTH_PX: f32 = 1.4;
 
+/// Width of a blade, pixels at detail 1, where blades begin to turn into clusters, and where all have.
+pub const CLUSTER_WIDTH_PX: [f32; 2] = [1.0, 0.35];
+
 pub const FRUSTUM: u32 = 1;
 pub const DISTANCE: u32 = 2;
 pub const ORIENTATION: u32 = 4;
@@ -128,6 +131,10 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
         flags: flags(view),
         capacity,
         level_height: level_height(view.level),
-        reserved: [0.0; 2],
+        cluster_width: CLUSTER_WIDTH_PX.map(|px| px / detail),
+        technique: view.technique as u32,
+        reserved_a: 0,
+        reserved_b: 0,
+        reserved_c: 0,
     }
 }

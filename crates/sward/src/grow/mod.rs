@@ -8,7 +8,7 @@ mod noise;
 pub(crate) mod obstacles;
 mod order;
 pub(crate) mod patches;
-mod random;
+pub(crate) mod random;
 pub(crate) mod scatter;
 pub mod shapes;
 pub mod surface;

@@ -13,6 +13,7 @@ pub(crate) enum Purpose {
     TuftShape,
     Meadow,
     Terrain,
+    Plant,
 }
 
 /// The finaliser of SplitMix64: every bit of the input changes about half of the output's.

@@ -17,7 +17,7 @@ pub(super) fn small(bytes: u64) -> Gpu {
 
 /// Of every page, bucket by bucket: blade of the field, and how it is drawn.
 fn drawn(rig: &Rig) -> Vec<Vec<(u32, u32)>> {
-    let mut buckets = vec![Vec::new(); 8];
+    let mut buckets = vec![Vec::new(); crate::gpu::layout::BUCKETS];
     for page in rig.renderer.pages() {
         let lists = &page.views[0];
         let draws: Vec<crate::gpu::layout::GpuDraw> = rig.read(&lists.draws);

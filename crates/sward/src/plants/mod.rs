@@ -4,9 +4,18 @@
 //! drawn as that model; the textures of billboards are pictures of it, so that near and far agree
 //! in shape and colour. A host may give its own [`Picture`] instead.
 
+mod builder;
+mod kinds;
+pub(crate) mod layers;
+mod mesh;
+mod model;
+mod paint;
 mod picture;
+mod strip;
+#[cfg(test)]
+mod tests;
 
-pub use picture::Picture;
+pub use picture::{MipLevel, Picture};
 
 use crate::Range;
 use std::sync::Arc;
@@ -98,6 +107,19 @@ impl Plant {
             Self::DandelionClock => Range::new(0.2, 0.35),
         }
     }
+}
+
+/// From where a plant is painted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Angle {
+    /// From the side, on the level.
+    Side {
+        /// How far to go round the plant, against the clock seen from above, radians; 0 looks along
+        /// -z.
+        turned: f32,
+    },
+    /// From straight above, with -z up.
+    Above,
 }
 
 /// What a plant looks like: a kind that the library models, or a picture.

@@ -1,6 +1,12 @@
 //! Pictures that a host gives for its own plants.
 
+use super::paint::paint;
+use super::strip::strip;
+use super::{Angle, Plant};
 use crate::Error;
+use crate::bake::mips::{chain, passing};
+use crate::bake::raster::{Texel, Tile};
+use glam::{Vec2, Vec3};
 
 /// Shortest and longest side, texels.
 const LEAST_SIDE: u32 = 2;
@@ -37,11 +43,7 @@ impl Picture {
         if width != height {
             return bad(format!("{width} x {height} texels; make it square"));
         }
-        if !(LEAST_SIDE..=MOST_SIDE).contains(&width) {
-            return bad(format!(
-                "{width} x {height} texels; use {LEAST_SIDE} to {MOST_SIDE} a side"
-            ));
-        }
+        check_side([width, height])?;
         check_bytes("picture", width, &rgba)?;
         if !rgba.iter().skip(3).step_by(4).any(|alpha| *alpha >= SHOWN) {
             return bad(format!("no texel has an alpha of {SHOWN} or more, so nothing shows"));
@@ -66,15 +68,190 @@ impl Picture {
         Ok(Self { normal: Some(rgba), ..self })
     }
 
+    /// The library's own picture of a plant, of `size` texels a side, from the variant of a seed:
+    /// its box, as wide as [`Plant::width_share`] says, stretched to a square. Unlit; alpha is how
+    /// much of a texel the plant covers.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] where the size is out of 2 to 4096.
+    pub fn paint(plant: Plant, seed: u64, angle: Angle, size: u32) -> Result<Self, Error> {
+        check_side([size; 2])?;
+        Ok(Self::from_tile(&paint(plant, seed, angle, size)))
+    }
+
+    /// The library's own texture of strips: a blade in greys, which the species' colours tint.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] where the size is out of 2 to 4096.
+    pub fn strip(size: u32) -> Result<Self, Error> {
+        check_side([size; 2])?;
+        Ok(Self::from_tile(&strip(size)))
+    }
+
     /// Side, texels.
     pub fn size(&self) -> u32 {
         self.size
     }
 
-    /// Whether it has normals.
-    pub fn has_normals(&self) -> bool {
-        self.normal.is_some()
+    /// 8-bit sRGB with straight alpha, row by row from the top.
+    pub fn rgba(&self) -> &[u8] {
+        &self.color
     }
+
+    /// Normals, as those of [`Picture::with_normals`].
+    pub fn normals(&self) -> Option<&[u8]> {
+        self.normal.as_deref()
+    }
+
+    /// The levels that it is drawn with, each of half the size of the one before. With `kept`, as
+    /// the library does, alphas are scaled level by level so that the share of it that passes the
+    /// alpha test stays (I. Castano, "Computing alpha mipmaps", 2010); without, they are plain
+    /// means, and narrow things vanish.
+    pub fn mips(&self, kept: bool) -> Vec<MipLevel> {
+        let base = self.tile();
+        let levels = if kept {
+            let shown = base.coverage();
+            chain(base, shown)
+        } else {
+            let mut levels = vec![base];
+            while let Some(last) = levels.last()
+                && last.size[0] >= 8
+            {
+                levels.push(last.halved());
+            }
+            levels
+        };
+        let level = |tile: &Tile| MipLevel {
+            size: tile.size[0],
+            rgba: tile.texels.iter().flat_map(encode).collect(),
+            shown: passing(tile),
+        };
+        levels.iter().map(level).collect()
+    }
+
+    fn from_tile(tile: &Tile) -> Self {
+        let normal = |texel: &Texel| {
+            let [x, y, z] = texel.normal.normalize_or(Vec3::Z).to_array();
+            [x, y, z, 1.0].map(|c| ((0.5 * c + 0.5) * 255.0).round() as u8)
+        };
+        Self {
+            size: tile.size[0],
+            color: tile.texels.iter().flat_map(encode).collect(),
+            normal: Some(tile.texels.iter().flat_map(normal).collect()),
+        }
+    }
+
+    fn texel(&self, x: u32, y: u32) -> Texel {
+        let at = 4 * (y * self.size + x) as usize;
+        let channel = |i: usize| self.color.get(at + i).copied().unwrap_or(0);
+        let normal = match &self.normal {
+            Some(bytes) => {
+                let part = |i: usize| f32::from(bytes.get(at + i).copied().unwrap_or(128));
+                Vec3::new(part(0), part(1), part(2)) / 127.5 - 1.0
+            }
+            None => {
+                Vec3::new(ROUNDED * (2.0 * (x as f32 + 0.5) / self.size as f32 - 1.0), 0.0, 1.0)
+            }
+        };
+        Texel {
+            albedo: Vec3::new(channel(0).into(), channel(1).into(), channel(2).into())
+                .map(|c| linear(c / 255.0)),
+            alpha: f32::from(channel(3)) / 255.0,
+            normal: normal.normalize_or(Vec3::Z),
+            height_share: 1.0 - (y as f32 + 0.5) / self.size as f32,
+            thickness: 1.0,
+        }
+    }
+
+    fn tile(&self) -> Tile {
+        let texels = (0..self.size * self.size).map(|i| self.texel(i % self.size, i / self.size));
+        let mut tile = Tile { size: [self.size; 2], texels: texels.collect() };
+        tile.dilate();
+        tile
+    }
+
+    /// At another size: means where it becomes smaller, interpolated where it becomes larger.
+    pub(super) fn resampled(&self, size: u32) -> Tile {
+        if size == self.size {
+            return self.tile();
+        }
+        let step = self.size as f32 / size as f32;
+        let texels = (0..size * size).map(|i| {
+            let corner = Vec2::new((i % size) as f32, (i / size) as f32) * step;
+            // At least a texel wide, so that an enlarged picture is smooth
+            let grow = 0.5 * (1.0 - step).max(0.0);
+            self.mean(corner - grow, corner + step + grow)
+        });
+        let mut tile = Tile { size: [size; 2], texels: texels.collect() };
+        tile.dilate();
+        tile
+    }
+
+    /// The mean over a box, in texels, weighted by alpha; beyond the rim is nothing.
+    fn mean(&self, low: Vec2, high: Vec2) -> Texel {
+        let end = self.size as f32;
+        let mut sum = Texel::EMPTY;
+        let cells = |low: f32, high: f32| low.max(0.0) as u32..(high.min(end).ceil() as u32);
+        for y in cells(low.y, high.y) {
+            for x in cells(low.x, high.x) {
+                let cell = Vec2::new(x as f32, y as f32);
+                let part = (high.min(cell + 1.0) - low.max(cell)).max(Vec2::ZERO);
+                let texel = self.texel(x, y);
+                let weight = part.x * part.y * texel.alpha;
+                sum.albedo += texel.albedo * weight;
+                sum.normal += texel.normal * weight;
+                sum.height_share += texel.height_share * weight;
+                sum.alpha += weight;
+            }
+        }
+        if sum.alpha <= 0.0 {
+            return Texel::EMPTY;
+        }
+        let area = high.min(Vec2::splat(end)) - low.max(Vec2::ZERO);
+        Texel {
+            albedo: sum.albedo / sum.alpha,
+            alpha: (sum.alpha / (area.x * area.y)).min(1.0),
+            normal: sum.normal.normalize_or(Vec3::Z),
+            height_share: sum.height_share / sum.alpha,
+            thickness: 1.0,
+        }
+    }
+}
+
+/// One level of a picture's mips.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MipLevel {
+    /// Side, texels.
+    pub size: u32,
+    /// 8-bit sRGB with straight alpha, row by row from the top.
+    pub rgba: Vec<u8>,
+    /// Share of its area that passes the alpha test, 0..=1.
+    pub shown: f32,
+}
+
+/// How far the normals of a picture that has none turn to the sides.
+const ROUNDED: f32 = 0.35;
+
+fn linear(x: f32) -> f32 {
+    if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
+}
+
+fn encoded(x: f32) -> f32 {
+    if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
+}
+
+fn encode(texel: &Texel) -> [u8; 4] {
+    let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let [r, g, b] = texel.albedo.to_array().map(|c| byte(encoded(c)));
+    [r, g, b, byte(texel.alpha)]
+}
+
+fn check_side([width, height]: [u32; 2]) -> Result<(), Error> {
+    if (LEAST_SIDE..=MOST_SIDE).contains(&width) && width == height {
+        return Ok(());
+    }
+    let cause = format!("{width} x {height} texels; use {LEAST_SIDE} to {MOST_SIDE} a side");
+    Err(Error::setting("picture", cause))
 }
 
 fn check_bytes(setting: &str, side: u32, rgba: &[u8]) -> Result<(), Error> {
@@ -106,6 +283,6 @@ mod tests {
         let error = picture.clone().with_normals([8, 8], grey(8)).expect_err("bad").to_string();
         assert!(error.contains("picture.normals: 8 x 8 texels, but the picture has 4 x 4"));
         assert!(picture.clone().with_normals([4, 4], grey(3)).is_err());
-        assert!(picture.with_normals([4, 4], grey(4)).expect("normals").has_normals());
+        assert!(picture.with_normals([4, 4], grey(4)).expect("normals").normals().is_some());
     }
 }

@@ -20,6 +20,8 @@ pub(crate) struct Layouts {
     pub(crate) depth_multisampled: BindGroupLayout,
     /// Stands in where a view has no depth; never read.
     pub(crate) no_depth: wgpu::BindGroup,
+    /// Stand in where a field has none.
+    pub(crate) no_pictures: crate::gpu::pictures::Pictures,
 }
 
 fn empty_depth(device: &wgpu::Device) -> wgpu::TextureView {
@@ -38,7 +40,7 @@ fn empty_depth(device: &wgpu::Device) -> wgpu::TextureView {
 
 impl Layouts {
     pub(crate) fn new(device: &wgpu::Device) -> Self {
-        use Kind::{Depth, Read, Texels, Uniform, Write};
+        use Kind::{Depth, Pictures, Read, Sampler, Texels, Uniform, Write};
         let compute =
             |label: &str, kinds: &[Kind]| layout(device, label, ShaderStages::COMPUTE, kinds);
         let draw = |label: &str, kinds: &[Kind]| {
@@ -54,8 +56,11 @@ impl Layouts {
             draw_field: layout(
                 device,
                 "sward.draw_field",
-                ShaderStages::VERTEX,
-                &[Uniform, Uniform, Read, Read, Read, Read],
+                ShaderStages::VERTEX_FRAGMENT,
+                &[
+                    Uniform, Uniform, Read, Read, Read, Read, Pictures, Pictures, Pictures,
+                    Pictures, Sampler, Read, Uniform,
+                ],
             ),
             collide: compute("sward.collide", &[Write, Write, Write]),
             cull: compute("sward.cull", &[Uniform, Write, Write, Write]),
@@ -66,6 +71,7 @@ impl Layouts {
             depth_multisampled: compute("sward.depth", &[Depth { multisampled: true }]),
             no_depth: bindings::group(device, "sward.no_depth", &depth, &[resource]),
             depth,
+            no_pictures: crate::gpu::pictures::Pictures::none(device),
         }
     }
 

@@ -7,12 +7,13 @@ struct GpuBand {
     // Blades that failed a test, two a word: orientation, frustum | distance, occlusion
     culled: vec2<u32>,
     // Survivors by bucket, two a word; after the scan, their offset in the block of 256 bands
-    counts: vec4<u32>,
+    counts: array<vec4<u32>, 2>,
     // Tests against primitives made
     tested: u32,
-    reserved_a: u32,
-    reserved_b: u32,
-    reserved_c: u32,
+    // How far the tips of its blades are from rest in the mean, in heights, world axes
+    sway_x: f32,
+    sway_y: f32,
+    sway_z: f32,
 }
 
 // Bands of one block of the scan.
@@ -20,7 +21,7 @@ const BLOCK: u32 = 256u;
 
 struct GpuBlock {
     // Survivors by bucket; after scan_totals, the place of the block's first one in the list
-    buckets: array<u32, 8>,
+    buckets: array<u32, 16>,
     // Failed tests: orientation, frustum, distance, occlusion; tests against primitives; blades
     // moved; 2 unused
     counted: array<u32, 8>,

@@ -38,7 +38,16 @@ struct GpuSpecies {
     area_scale: vec4<f32>,
     // Root from and to, tip from and to: 10 bits a channel, square root encoded
     colors: vec4<u32>,
+    // Near form: 0 blade, 1 strip, 2 billboard; first of its layers in the plants' pictures, how many;
+    // quads
+    look: vec4<u32>,
+    // Angle between quads, radians; three of the form's own
+    look_values: vec4<f32>,
 }
+
+const FORM_BLADE: u32 = 0u;
+const FORM_STRIP: u32 = 1u;
+const FORM_BILLBOARD: u32 = 2u;
 
 @group(1) @binding(0) var<uniform> field: GpuField;
 @group(1) @binding(1) var<uniform> species_table: array<GpuSpecies, 256>;
@@ -46,7 +55,15 @@ struct GpuSpecies {
 @group(1) @binding(3) var<storage, read> patches: array<GpuPatch>;
 
 const BAND: u32 = 64u;
-const BUCKETS: u32 = 8u;
+// Draw lists: 0 to 7 blades (pointed ones of 8, 4, 2, 1 segments, then flat-tipped ones), 8 clusters,
+// 9 and 10 strips of many and few rings, 11 and 12 billboards near and far, 13 modelled plants
+const BUCKETS: u32 = 16u;
+const CLUSTER_BUCKET: u32 = 8u;
+const STRIP_BUCKET: u32 = 9u;
+const BILLBOARD_BUCKET: u32 = 11u;
+const MODEL_BUCKET: u32 = 13u;
+// In no list
+const NO_BUCKET: u32 = 15u;
 // Words of a patch's list of near colliders: 2, and 3 for each of up to 10 chunks
 const NEAR_STRIDE: u32 = 32u;
 const NEAR_SLOTS: u32 = 10u;

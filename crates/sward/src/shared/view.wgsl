@@ -24,8 +24,19 @@ struct GpuView {
     capacity: u32,
     // Heights in pixels, times detail, that levels are chosen within: one level, where it is forced
     level_height: vec2<f32>,
-    reserved: vec2<f32>,
+    // Width in pixels of a blade where blades begin to turn into clusters, and where all have
+    cluster_width: vec2<f32>,
+    // 0 blades, 1 strips, 2 billboards, 3 continuum
+    technique: u32,
+    reserved_a: u32,
+    reserved_b: u32,
+    reserved_c: u32,
 }
+
+const BLADES: u32 = 0u;
+const STRIPS: u32 = 1u;
+const BILLBOARDS: u32 = 2u;
+const CONTINUUM: u32 = 3u;
 
 @group(2) @binding(0) var<uniform> view: GpuView;
 

@@ -1,16 +1,19 @@
 //! Settings of the whole scene: light, sky, gravity, culling.
 
 use crate::check::{Key, Problem};
-use crate::schema::{CullingFile, GravityFile, PhysicsFile, SceneFile, SkyFile, SunFile};
+use crate::schema::{
+    CullingFile, GravityFile, PhysicsFile, SceneFile, SkyFile, SunFile, TechniqueFile,
+};
 use crate::{GroundSettings, SkySettings, SunSettings};
 use glam::Vec3;
-use sward::{Culling, Gravity, PhysicsModel};
+use sward::{Culling, Gravity, PhysicsModel, Technique};
 
 pub(super) struct Settings {
     pub(super) light: SunSettings,
     pub(super) sky: SkySettings,
     pub(super) gravity: Gravity,
     pub(super) physics: PhysicsModel,
+    pub(super) technique: Technique,
     pub(super) culling: Culling,
     pub(super) ground: GroundSettings,
     pub(super) warm_up_s: f32,
@@ -27,6 +30,12 @@ impl Settings {
             physics: match file.physics {
                 PhysicsFile::Sward => PhysicsModel::Sward,
                 PhysicsFile::Paper => PhysicsModel::Paper,
+            },
+            technique: match file.technique {
+                TechniqueFile::Blades => Technique::Blades,
+                TechniqueFile::Strips => Technique::Strips,
+                TechniqueFile::Billboards => Technique::Billboards,
+                TechniqueFile::Continuum => Technique::Continuum,
             },
             culling: culling(&file.culling)?,
             ground: GroundSettings {

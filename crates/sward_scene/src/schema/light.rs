@@ -114,6 +114,20 @@ pub enum PhysicsFile {
     Paper,
 }
 
+/// Which forms plants are drawn in.
+#[derive(Debug, Clone, Copy, Default, Deserialize)]
+pub enum TechniqueFile {
+    /// Curved blades, thinned with distance.
+    Blades,
+    /// Textured strips.
+    Strips,
+    /// Modelled plants, then textured quads, in three bands.
+    Billboards,
+    /// Each species in its near form, then clusters, then ground.
+    #[default]
+    Continuum,
+}
+
 /// Which tests cull blades.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields, default)]

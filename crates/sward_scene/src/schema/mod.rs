@@ -19,7 +19,9 @@ pub use field::{
     ColorFile, DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile,
     SpeciesFile, TuftsFile,
 };
-pub use light::{CullingFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile};
+pub use light::{
+    CullingFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile, TechniqueFile,
+};
 pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
 pub use source::{
@@ -62,6 +64,8 @@ pub struct SceneFile {
     pub gravity: GravityFile,
     /// Physical model: `Sward` (default) or `Paper`.
     pub physics: PhysicsFile,
+    /// Which forms plants are drawn in: `Blades`, `Strips`, `Billboards` or `Continuum` (default).
+    pub technique: TechniqueFile,
     /// Which tests cull blades.
     pub culling: CullingFile,
     /// Seconds simulated before time 0, 0..=60; default 3. Longer starts later and in fuller motion.
@@ -88,6 +92,7 @@ impl Default for SceneFile {
             ground: GroundFile::default(),
             gravity: GravityFile::default(),
             physics: PhysicsFile::default(),
+            technique: TechniqueFile::default(),
             culling: CullingFile::default(),
             warm_up_s: 3.0,
             fps: 30.0,

@@ -76,6 +76,8 @@ pub fn evaluate(gpu: &Gpu, name: SceneName, scene: &Scene, settings: Settings) -
 
 fn options(scene: &Scene, condition: Condition, settings: Settings) -> Result<StageOptions> {
     let mut options = StageOptions::new(scene, None, settings.size, settings.samples)?;
+    // As the paper draws: every blade a blade
+    options.technique = sward::Technique::Blades;
     match condition {
         Condition::All => {}
         Condition::NoCollisions => options.collisions = false,

@@ -7,7 +7,7 @@
 // Blade 22 bits, morph 5, fade 5
 @group(2) @binding(5) var<storage, read_write> list: array<u32>;
 
-var<workgroup> masks: array<atomic<u32>, 16>;
+var<workgroup> masks: array<atomic<u32>, 32>;
 
 @compute @workgroup_size(64)
 fn compact(
@@ -26,18 +26,18 @@ fn compact(
     let bucket = decision & 15u;
     let word = lane >> 5u;
     let bit = 1u << (lane & 31u);
-    if bucket < BUCKETS {
+    if bucket != NO_BUCKET {
         atomicOr(&masks[2u * bucket + word], bit);
     }
     workgroupBarrier();
-    if bucket >= BUCKETS {
+    if bucket == NO_BUCKET {
         return;
     }
     var rank = countOneBits(atomicLoad(&masks[2u * bucket + word]) & (bit - 1u));
     if word == 1u {
         rank += countOneBits(atomicLoad(&masks[2u * bucket]));
     }
-    let in_block = (bands[band].counts[bucket / 2u] >> (16u * (bucket & 1u))) & 0xffffu;
+    let in_block = (bands[band].counts[bucket / 8u][(bucket / 2u) % 4u] >> (16u * (bucket & 1u))) & 0xffffu;
     let place = blocks[band / BLOCK].buckets[bucket] + in_block + rank;
     if place < view.capacity {
         let index = patch_index * field.patch_size + first + lane;

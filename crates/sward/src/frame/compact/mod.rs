@@ -9,8 +9,8 @@ use crate::gpu::page::{Page, ViewLists};
 use crate::gpu::shaders::Shader;
 use crate::renderer::Layouts;
 
-/// Bytes of the uniform with the indices that a blade takes in each bucket.
-pub(crate) const SCAN_BLADE_INDICES_BYTES: u64 = 32;
+/// Bytes of the uniform with the indices that a plant takes in each bucket.
+pub(crate) const SCAN_BLADE_INDICES_BYTES: u64 = 64;
 
 /// The scan and the compaction.
 #[derive(Debug)]

@@ -10,13 +10,16 @@ struct IndirectDraw {
 
 @group(2) @binding(1) var<storage, read_write> bands: array<GpuBand>;
 @group(2) @binding(2) var<storage, read_write> blocks: array<GpuBlock>;
-@group(2) @binding(3) var<storage, read_write> draws: array<GpuDraw, 8>;
-@group(2) @binding(4) var<storage, read_write> indirect: array<IndirectDraw, 8>;
+@group(2) @binding(3) var<storage, read_write> draws: array<GpuDraw, 16>;
+@group(2) @binding(4) var<storage, read_write> indirect: array<IndirectDraw, 16>;
 @group(2) @binding(5) var<storage, read_write> counted: array<u32, 8>;
-// Indices that one blade takes in each bucket
-@group(2) @binding(6) var<uniform> blade_indices: array<vec4<u32>, 2>;
+// Indices that one plant takes in each bucket
+@group(2) @binding(6) var<uniform> blade_indices: array<vec4<u32>, 4>;
 
-var<workgroup> sums: array<vec4<u32>, 256>;
+var<workgroup> low_sums: array<vec4<u32>, 256>;
+var<workgroup> high_sums: array<vec4<u32>, 256>;
+// What a block counts beside its survivors
+const COUNTED: u32 = 8u;
 var<workgroup> failed: array<atomic<u32>, 8>;
 
 @compute @workgroup_size(256)
@@ -26,7 +29,7 @@ fn scan_blocks(
 ) {
     let band_count = field.patch_count * bands_per_patch();
     let index = group.x * BLOCK + lane;
-    var own = vec4<u32>(0u);
+    var own = array<vec4<u32>, 2>();
     if index < band_count {
         own = bands[index].counts;
         let culled = bands[index].culled;
@@ -42,31 +45,39 @@ fn scan_blocks(
         }
     }
     // 256 bands of 64 blades: a half word holds the sum
-    sums[lane] = own;
+    low_sums[lane] = own[0];
+    high_sums[lane] = own[1];
     workgroupBarrier();
     for (var step = 1u; step < BLOCK; step *= 2u) {
-        var below = vec4<u32>(0u);
+        var low = vec4<u32>(0u);
+        var high = vec4<u32>(0u);
         if lane >= step {
-            below = sums[lane - step];
+            low = low_sums[lane - step];
+            high = high_sums[lane - step];
         }
         workgroupBarrier();
-        sums[lane] += below;
+        low_sums[lane] += low;
+        high_sums[lane] += high;
         workgroupBarrier();
     }
     if index < band_count {
-        bands[index].counts = sums[lane] - own;
+        bands[index].counts[0] = low_sums[lane] - own[0];
+        bands[index].counts[1] = high_sums[lane] - own[1];
     }
     if lane < BUCKETS {
-        let pair = sums[BLOCK - 1u][lane / 2u];
+        let pairs = array<vec4<u32>, 2>(low_sums[BLOCK - 1u], high_sums[BLOCK - 1u]);
+        let pair = pairs[lane / 8u][(lane / 2u) % 4u];
         blocks[group.x].buckets[lane] = (pair >> (16u * (lane & 1u))) & 0xffffu;
+    }
+    if lane < COUNTED {
         blocks[group.x].counted[lane] = atomicLoad(&failed[lane]);
     }
 }
 
-const LANES: u32 = 32u;
+const LANES: u32 = 16u;
 var<workgroup> lane_sums: array<u32, 256>;
-var<workgroup> totals: array<u32, 8>;
-var<workgroup> starts: array<u32, 8>;
+var<workgroup> totals: array<u32, 16>;
+var<workgroup> starts: array<u32, 16>;
 
 fn write_draw(bucket: u32) {
     let start = min(starts[bucket], view.capacity);
@@ -76,7 +87,7 @@ fn write_draw(bucket: u32) {
     indirect[bucket] = IndirectDraw(indices * BAND, (end - start + BAND - 1u) / BAND, 0u, 0, 0u);
 }
 
-// One workgroup: 8 buckets by 32 lanes, each lane a run of blocks.
+// One workgroup: 16 buckets by 16 lanes, each lane a run of blocks.
 @compute @workgroup_size(256)
 fn scan_totals(@builtin(local_invocation_index) thread: u32) {
     let block_count = (field.patch_count * bands_per_patch() + BLOCK - 1u) / BLOCK;
@@ -89,10 +100,12 @@ fn scan_totals(@builtin(local_invocation_index) thread: u32) {
     var tests = 0u;
     for (var b = begin; b < end; b++) {
         sum += blocks[b].buckets[bucket];
-        tests += blocks[b].counted[bucket];
+        tests += blocks[b].counted[bucket % COUNTED];
     }
     lane_sums[thread] = sum;
-    atomicAdd(&failed[bucket], tests);
+    if bucket < COUNTED {
+        atomicAdd(&failed[bucket], tests);
+    }
     workgroupBarrier();
     var before = 0u;
     for (var l = 0u; l < lane; l++) {
@@ -108,7 +121,9 @@ fn scan_totals(@builtin(local_invocation_index) thread: u32) {
             start += totals[b];
         }
         starts[bucket] = start;
-        counted[bucket] = atomicLoad(&failed[bucket]);
+        if bucket < COUNTED {
+            counted[bucket] = atomicLoad(&failed[bucket]);
+        }
         write_draw(bucket);
     }
     workgroupBarrier();

@@ -8,7 +8,9 @@ pub(crate) fn compact(decisions: &[u16], capacity: u32) -> (Vec<u32>, [GpuDraw; 
     let mut list = Vec::new();
     let draws = std::array::from_fn(|bucket| {
         let first = list.len() as u32;
-        let own = decisions.iter().enumerate().filter(|(_, d)| usize::from(*d & 15) == bucket);
+        // The last is no list: its plants are in none
+        let is_own = |d: &u16| bucket != 15 && usize::from(*d & 15) == bucket;
+        let own = decisions.iter().enumerate().filter(|(_, d)| is_own(d));
         list.extend(own.map(|(index, d)| index as u32 | u32::from(d >> 4) << 22));
         let (start, end) = (first.min(capacity), (list.len() as u32).min(capacity));
         let dropped = list.len() as u32 - first - (end - start);

@@ -28,7 +28,7 @@ fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
         if seen.visible && first >= kept && first < count {
             thinned = min(count - first, BAND);
         }
-        bands[band].counts = vec4<u32>(0u);
+        bands[band].counts = array<vec4<u32>, 2>();
         bands[band].culled = vec2<u32>(0u, thinned);
     }
     if !seen.visible {

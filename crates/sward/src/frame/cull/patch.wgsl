@@ -27,8 +27,12 @@ fn kept_blades(home: GpuPatch, count: u32, nearest: f32) -> u32 {
     if !has(CULL_DISTANCE) || has(CULL_PAPER) {
         return count;
     }
-    let share = keep_share(home.max_width * pixels_per_metre(nearest));
-    return u32(clamp(ceil(share * f32(count)), 0.0, f32(count)));
+    switch view.technique {
+        case STRIPS: { return kept_strips(home, count, nearest); }
+        case BILLBOARDS: { return kept_bands(home, count, nearest); }
+        case CONTINUUM: { return kept_continuum(home, count, nearest); }
+        default: { return kept_as_blades(home, count, nearest); }
+    }
 }
 
 fn see_patch(home: GpuPatch) -> Seen {

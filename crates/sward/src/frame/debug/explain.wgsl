@@ -43,8 +43,8 @@ fn explain(
     if local < count {
         let blade = unpack_blade(index);
         let state = unpack_state(blade, dynamics[index]);
-        let rank = (f32(local) + 0.5) / f32(count);
-        let own = decide(blade, state, local, rank, false);
+        let place = Place(local, count, (f32(local) + 0.5) / f32(count));
+        let own = decide(blade, state, place, false);
         let failed = own.failed | failed_with_patch(patches[patch_index], local, count);
         decision.bits = shown(blade, own, failed);
         let advanced = select(0u, ADVANCED, bands[band_index].step == frame.step);
@@ -56,8 +56,7 @@ fn explain(
     vote(lane, decision);
     workgroupBarrier();
     if lane == 0u {
-        bands[band_index].counts =
-            vec4<u32>(pair_count(0u), pair_count(2u), pair_count(4u), pair_count(6u));
+        bands[band_index].counts = array<vec4<u32>, 2>(bucket_counts(0u), bucket_counts(8u));
     }
     if lane < BAND / 2u {
         decisions[band_index * (BAND / 2u) + lane] = atomicLoad(&packed[lane]);

@@ -1,10 +1,11 @@
 //! Debug views: their pipelines are made when one is first asked for.
 
+use super::draw::mesh::Mesh;
 use super::draw::pipelines::{Program, constants, pipeline};
 use super::draw::topology::Topology;
 use crate::gpu::bindings::{self, Kind, compute, layout};
 use crate::gpu::buffers::{filled, storage};
-use crate::gpu::layout::BUCKETS;
+use crate::gpu::layout::BLADE_BUCKETS;
 use crate::gpu::page::{Page, ViewLists};
 use crate::gpu::shaders::Shader;
 use crate::renderer::Layouts;
@@ -51,7 +52,7 @@ fn gpu_debug(view: DebugView) -> GpuDebug {
     gpu
 }
 
-/// Vertex of each index, by bucket.
+/// Vertex of each index, by bucket of blades.
 pub(crate) fn corners() -> Vec<u32> {
     let own = |bucket| {
         let mut list: Vec<u32> =
@@ -59,7 +60,7 @@ pub(crate) fn corners() -> Vec<u32> {
         list.resize(CORNER_STRIDE * 4, 0);
         list
     };
-    (0..BUCKETS).flat_map(own).collect()
+    (0..BLADE_BUCKETS).flat_map(own).collect()
 }
 
 fn explain_pipelines(
@@ -97,7 +98,7 @@ fn draw_pipelines(
         let program = Program { module: &module, vertex: "vs_debug", fragment: "fs_debug" };
         pipeline(device, &layout, targets, program, &constants)
     };
-    (0..BUCKETS).map(make).collect()
+    (0..BLADE_BUCKETS).map(make).collect()
 }
 
 impl Debug {
@@ -110,7 +111,7 @@ impl Debug {
         let stages = ShaderStages::VERTEX_FRAGMENT;
         let draw_layout = layout(device, "sward.debug", stages, &[Uniform, Uniform, Read]);
         let index_buffer = |bucket| {
-            let count = Topology::of(bucket).instance_indices().len() as u16;
+            let count = Mesh::of(bucket).instance_indices().len() as u16;
             let list: Vec<u16> = (0..count).collect();
             let content = bytemuck::cast_slice(&list);
             filled(device, "sward.debug_indices", content, BufferUsages::INDEX)
@@ -121,7 +122,7 @@ impl Debug {
             explain_layout,
             pipelines: draw_pipelines(device, layouts, &draw_layout, targets),
             draw_layout,
-            indices: (0..BUCKETS).map(index_buffer).collect(),
+            indices: (0..BLADE_BUCKETS).map(index_buffer).collect(),
             corners: filled(
                 device,
                 "sward.debug_corners",
@@ -206,11 +207,8 @@ impl Debug {
         pass.set_bind_group(1, &page.draw_group, &[]);
         pass.set_bind_group(2, &lists.draw, &[]);
         pass.set_bind_group(3, own, &[]);
-        for (bucket, pipeline) in self.pipelines.iter().enumerate() {
-            if !page.topologies[bucket / 4] {
-                continue;
-            }
-            pass.set_pipeline(pipeline);
+        for bucket in lists.buckets.blades_only().iter() {
+            pass.set_pipeline(&self.pipelines[bucket]);
             pass.set_index_buffer(self.indices[bucket].slice(..), wgpu::IndexFormat::Uint16);
             pass.draw_indexed_indirect(&lists.indirect, bucket as u64 * 20);
         }

@@ -1,21 +1,9 @@
-// A blade's surface by vertex pulling (J section 5): one instance is 64 blades of one bucket.
+// A blade's surface by vertex pulling (J section 5).
 
-// Which bucket: level, and pointed (0 to 3) or flat-tipped (4 to 7).
-override BUCKET: u32 = 0u;
 override SEGMENTS: u32 = 8u;
 // Vertices a ring: 2, or 3 with a ridge
 override RING: u32 = 2u;
 override FLAT_TIP: bool = false;
-// Vertices a blade
-override VERTICES: u32 = 17u;
-// Whether `tints` holds a colour for each blade
-override TINTED: bool = false;
-
-@group(1) @binding(4) var<storage, read> dynamics: array<vec2<u32>>;
-// The colour of the surface at each root, where TINTED
-@group(1) @binding(5) var<storage, read> tints: array<u32>;
-@group(2) @binding(1) var<storage, read> list: array<u32>;
-@group(2) @binding(2) var<storage, read> draws: array<GpuDraw, 8>;
 
 struct Corner {
     // Along the blade, 0 root to 1 tip
@@ -31,27 +19,6 @@ fn corner_of(vertex: u32) -> Corner {
         return Corner(1.0, 0.5);
     }
     return Corner(v, f32(vertex % RING) / f32(RING - 1u));
-}
-
-// 10 bits a channel, square root encoded.
-fn unpack_color(bits: u32) -> vec3<f32> {
-    let c = vec3<f32>(f32(bits & 0x3ffu), f32((bits >> 10u) & 0x3ffu), f32(bits >> 20u)) / 1023.0;
-    return c * c;
-}
-
-// `tone` runs from the root's colour, 0, to the tip's, 1.
-fn blade_color(blade: Blade, tone: f32) -> vec3<f32> {
-    let pick = hash01(blade.id, 21u);
-    let other = hash01(blade.id, 22u);
-    let colors = species_table[blade.species].colors;
-    let root = mix(unpack_color(colors.x), unpack_color(colors.y), other);
-    let tip = mix(unpack_color(colors.z), unpack_color(colors.w), pick);
-    var color = mix(root, tip, tone);
-    if TINTED {
-        let own = unpack_color(tints[blade.id - field.first_id]);
-        color = mix(color, own * mix(0.8, 1.05, tone), species_table[blade.species].tint);
-    }
-    return color * (0.85 + 0.3 * other);
 }
 
 // A point of a blade's surface.
@@ -77,17 +44,15 @@ struct BladePoint {
 
 fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     var out: BladePoint;
-    let slot = instance * BAND + vertex / VERTICES;
-    if slot >= draws[BUCKET].count {
+    let listed = listed_plant(vertex, instance);
+    if listed.hidden {
         out.hidden = true;
         return out;
     }
-    let entry = list[draws[BUCKET].start + slot];
-    let index = entry & 0x3fffffu;
-    let morph = f32((entry >> 22u) & 31u) / 31.0;
-    let fade = f32(entry >> 27u) / 31.0;
-    let blade = unpack_blade(index);
-    let state = unpack_state(blade, dynamics[index]);
+    let morph = listed.morph;
+    let fade = listed.fade;
+    let blade = unpack_blade(listed.index);
+    let state = unpack_state(blade, dynamics[listed.index]);
     let form = species_table[blade.species].form;
     let corner = corner_of(vertex % VERTICES);
     let ring = ring_of(u32(form.w), form.y, corner.v, morph);

@@ -2,7 +2,7 @@
 
 use super::topology::Topology;
 use crate::Targets;
-use crate::gpu::layout::BUCKETS;
+use crate::gpu::layout::BLADE_BUCKETS;
 use crate::gpu::shaders::Shader;
 
 /// What a field needs beyond the plain pipelines. Others do not pay for it: variants are made when
@@ -23,7 +23,7 @@ pub(crate) struct Program<'a> {
     pub(crate) fragment: &'a str,
 }
 
-/// What a bucket's pipeline is made with.
+/// What the pipeline of a bucket of blades is made with.
 pub(crate) fn constants(bucket: usize, targets: Targets, tinted: bool) -> Vec<(&'static str, f64)> {
     let topology = Topology::of(bucket);
     vec![
@@ -75,29 +75,56 @@ pub(crate) fn pipeline(
     })
 }
 
-/// The pipelines of a variant, by bucket.
-pub(super) fn variant_pipelines(
+/// The shader modules of drawing, each made when it is first needed.
+#[derive(Debug, Default)]
+pub(super) struct Modules(Vec<(Shader, wgpu::ShaderModule)>);
+
+impl Modules {
+    pub(super) fn get(&mut self, device: &wgpu::Device, shader: Shader) -> wgpu::ShaderModule {
+        if let Some((_, module)) = self.0.iter().find(|(made, _)| *made == shader) {
+            return module.clone();
+        }
+        let module = shader.module(device);
+        self.0.push((shader, module.clone()));
+        module
+    }
+}
+
+/// The pipeline of a bucket; none for buckets that no plant is ever in.
+pub(super) fn bucket_pipeline(
     device: &wgpu::Device,
-    layout: &wgpu::PipelineLayout,
-    targets: Targets,
+    modules: &mut Modules,
+    (layout, targets): (&wgpu::PipelineLayout, Targets),
     variant: Variant,
-) -> Vec<wgpu::RenderPipeline> {
-    let plain = Shader::Draw.module(device);
-    let lobed = variant.lobed.then(|| Shader::DrawLobed.module(device));
-    let make = |bucket: usize| {
-        // The first level is near, the others far
-        let near = bucket.is_multiple_of(4);
-        let (module, vertex, fragment) = match (&lobed, near) {
-            (Some(lobed), true) if bucket >= 4 => (lobed, "vs_near_lobed", "fs_near_lobed"),
-            (Some(lobed), false) if bucket >= 4 => (lobed, "vs_far_lobed", "fs_far_lobed"),
-            (_, true) => (&plain, "vs_near", "fs_near"),
-            (_, false) => (&plain, "vs_far", "fs_far"),
-        };
-        let mut constants = constants(bucket, targets, variant.tinted);
-        // The plain module knows no samples
-        constants.retain(|(name, _)| *name != "SAMPLES" || vertex.ends_with("lobed"));
-        let program = Program { module, vertex, fragment };
-        pipeline(device, layout, targets, program, &constants)
+    bucket: usize,
+) -> Option<wgpu::RenderPipeline> {
+    match bucket {
+        0..BLADE_BUCKETS => {
+            Some(blade_pipeline(device, modules, (layout, targets), variant, bucket))
+        }
+        _ => None,
+    }
+}
+
+fn blade_pipeline(
+    device: &wgpu::Device,
+    modules: &mut Modules,
+    (layout, targets): (&wgpu::PipelineLayout, Targets),
+    variant: Variant,
+    bucket: usize,
+) -> wgpu::RenderPipeline {
+    // The first level is near, the others far
+    let near = bucket.is_multiple_of(4);
+    let lobed = variant.lobed && bucket >= 4;
+    let (shader, vertex, fragment) = match (lobed, near) {
+        (true, true) => (Shader::DrawLobed, "vs_near_lobed", "fs_near_lobed"),
+        (true, false) => (Shader::DrawLobed, "vs_far_lobed", "fs_far_lobed"),
+        (false, true) => (Shader::Draw, "vs_near", "fs_near"),
+        (false, false) => (Shader::Draw, "vs_far", "fs_far"),
     };
-    (0..BUCKETS).map(make).collect()
+    let mut constants = constants(bucket, targets, variant.tinted);
+    // The plain module knows no samples
+    constants.retain(|(name, _)| *name != "SAMPLES" || lobed);
+    let module = &modules.get(device, shader);
+    pipeline(device, layout, targets, Program { module, vertex, fragment }, &constants)
 }

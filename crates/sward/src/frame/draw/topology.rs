@@ -1,6 +1,5 @@
-//! Which triangles a blade is made of, in each bucket.
+//! Which triangles a blade is made of, in each bucket of blades.
 
-use crate::gpu::layout::BUCKETS;
 use crate::gpu::quantize::SEGMENTS;
 
 /// Blades of one instance: fewer, larger instances cost less than one a blade.
@@ -52,22 +51,6 @@ impl Topology {
         }
         list
     }
-
-    /// Triangles of an instance.
-    pub(crate) fn instance_indices(self) -> Vec<u16> {
-        let own = self.indices();
-        (0..BLADES_PER_INSTANCE as u16)
-            .flat_map(|blade| {
-                let first = blade * self.vertices() as u16;
-                own.iter().map(move |i| first + i)
-            })
-            .collect()
-    }
-}
-
-/// Vertices a blade, by bucket.
-pub(crate) fn vertices_by_bucket() -> [u32; BUCKETS] {
-    std::array::from_fn(|bucket| Topology::of(bucket).vertices())
 }
 
 #[cfg(test)]
@@ -96,8 +79,6 @@ mod tests {
             let sides = (topology.ring - 1) as usize;
             let last = if topology.flat_tip { 2 } else { 1 };
             assert_eq!(triangles, sides * (2 * (topology.segments as usize - 1) + last));
-            let all = topology.instance_indices();
-            assert_eq!(all.len(), 64 * topology.indices().len());
         }
     }
 }

@@ -56,8 +56,8 @@ fn update(
             state = unpack_state(blade, bits);
         }
         if TEST {
-            let rank = (f32(local) + 0.5) / f32(count);
-            decision = decide(blade, state, local, rank, (entry.x >> 31u) == 1u);
+            let place = Place(local, count, (f32(local) + 0.5) / f32(count));
+            decision = decide(blade, state, place, (entry.x >> 31u) == 1u);
         }
     }
     if TEST {
@@ -73,9 +73,8 @@ fn update(
             bands[band_index].tested = atomicLoad(&tested);
         }
         if TEST {
-            bands[band_index].counts =
-                vec4<u32>(pair_count(0u), pair_count(2u), pair_count(4u), pair_count(6u));
-            bands[band_index].culled = vec2<u32>(pair_count(8u), pair_count(10u));
+            bands[band_index].counts = array<vec4<u32>, 2>(bucket_counts(0u), bucket_counts(8u));
+            bands[band_index].culled = vec2<u32>(pair_count(BUCKETS), pair_count(BUCKETS + 2u));
         }
     }
     if TEST && lane < BAND / 2u {

@@ -1,0 +1,61 @@
+//! The triangles of a plant, in each bucket.
+
+use super::topology::{BLADES_PER_INSTANCE, Topology};
+use crate::gpu::layout::{BLADE_BUCKETS, BUCKETS};
+
+/// What a plant of a bucket is made of.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Mesh {
+    /// Vertices a plant: at most 1024, as an instance of 64 plants is indexed with 16 bits.
+    pub vertices: u32,
+    /// Triangles of one plant.
+    pub indices: Vec<u16>,
+}
+
+impl Mesh {
+    /// Of a bucket.
+    pub(crate) fn of(bucket: usize) -> Self {
+        if bucket < BLADE_BUCKETS {
+            let topology = Topology::of(bucket);
+            return Self { vertices: topology.vertices(), indices: topology.indices() };
+        }
+        Self::card()
+    }
+
+    /// Two triangles: from the left of the bottom on, counterclockwise by rows.
+    pub(crate) fn card() -> Self {
+        Self { vertices: 4, indices: vec![0, 1, 2, 1, 3, 2] }
+    }
+
+    /// Triangles of an instance.
+    pub(crate) fn instance_indices(&self) -> Vec<u16> {
+        (0..BLADES_PER_INSTANCE as u16)
+            .flat_map(|plant| {
+                let first = plant * self.vertices as u16;
+                self.indices.iter().map(move |i| first + i)
+            })
+            .collect()
+    }
+}
+
+/// Vertices a plant, by bucket.
+pub(crate) fn vertices_by_bucket() -> [u32; BUCKETS] {
+    std::array::from_fn(|bucket| Mesh::of(bucket).vertices)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_instance_is_64_plants_within_16_bits() {
+        for bucket in 0..BUCKETS {
+            let mesh = Mesh::of(bucket);
+            assert!(mesh.vertices <= 1024, "bucket {bucket}");
+            assert!(mesh.indices.iter().all(|i| u32::from(*i) < mesh.vertices));
+            let all = mesh.instance_indices();
+            assert_eq!(all.len(), 64 * mesh.indices.len());
+            assert_eq!(u32::from(all.iter().copied().max().unwrap_or(0)), 64 * mesh.vertices - 1);
+        }
+    }
+}
