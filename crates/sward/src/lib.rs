@@ -78,6 +78,7 @@
 
 #[allow(dead_code)]
 mod bake;
+pub mod changes;
 pub mod collider;
 pub mod color_map;
 pub mod debug;
@@ -100,6 +101,7 @@ pub mod view;
 #[cfg(test)]
 mod pipeline_tests;
 
+pub use changes::Change;
 pub use collider::{Collider, ColliderShape, Pose};
 pub use color_map::{ColorImage, ColorMap};
 pub use debug::{DebugColor, DebugView, Observer};

@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod info;
 mod paper;
+mod quality;
 mod render;
 mod wind;
 
@@ -18,6 +19,8 @@ use sward_app::gpu::Gpu;
 use sward_app::grow::{GrowOptions, grow};
 use sward_scene::Scene;
 
+pub use quality::Exceeded;
+
 /// What to do.
 #[derive(Debug, clap::Subcommand)]
 pub enum Command {
@@ -27,6 +30,7 @@ pub enum Command {
     Compare(compare::Args),
     Info(info::Args),
     Paper(paper::Args),
+    Quality(quality::Args),
     Wind(wind::Args),
 }
 
@@ -39,6 +43,7 @@ pub fn run(command: Command, quiet: bool) -> Result<()> {
         Command::Compare(args) => compare::run(args),
         Command::Info(args) => info::run(args),
         Command::Paper(args) => paper::run(args, quiet),
+        Command::Quality(args) => quality::run(args, quiet),
         Command::Wind(args) => wind::run(args, quiet),
     }
 }

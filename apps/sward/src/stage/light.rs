@@ -118,6 +118,11 @@ impl Stage {
         self.gpu.wait()
     }
 
+    /// Leaves out of references, from now on, what is out of view: the same pictures, sooner.
+    pub fn draw_in_view_only(&mut self) {
+        self.options.reference_in_view = true;
+    }
+
     /// Takes the haze away, from grass and ground alike.
     pub fn clear_haze(&mut self) {
         self.light.haze_per_m = 0.0;
