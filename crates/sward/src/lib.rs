@@ -78,6 +78,8 @@
 
 #[allow(dead_code)]
 mod bake;
+pub mod bands;
+pub mod billboard;
 pub mod changes;
 pub mod collider;
 pub mod color_map;
@@ -87,6 +89,7 @@ pub mod field;
 pub mod frame;
 mod gpu;
 pub mod grow;
+pub mod mix;
 #[allow(dead_code)]
 pub mod plants;
 pub mod renderer;
@@ -101,6 +104,8 @@ pub mod view;
 #[cfg(test)]
 mod pipeline_tests;
 
+pub use bands::Bands;
+pub use billboard::{Billboard, Sizes};
 pub use changes::Change;
 pub use collider::{Collider, ColliderShape, Pose};
 pub use color_map::{ColorImage, ColorMap};
@@ -112,11 +117,12 @@ pub use frame::wind::{
 };
 pub use grow::obstacles::Obstacle;
 pub use grow::surface::{Mesh, Surface};
+pub use mix::{Kind, Mix, Mixed};
 pub use plants::{Look, Picture, Plant};
 pub use renderer::{Renderer, Stage, Targets};
-pub use simulation::{Frame, Gravity, Light, PhysicsModel, Sphere};
+pub use simulation::{Frame, Gravity, Light, PhysicsModel, Shade, Sphere};
 pub use solid::{PackDesc, Packing, Solid};
-pub use species::{Billboard, ColorRange, Form, Range, Shape, Species, Strip};
+pub use species::{ColorRange, Form, Range, Shape, Species, Strip};
 pub use statistics::Statistics;
 pub use technique::Technique;
 pub use view::{Culling, View};

@@ -1,8 +1,10 @@
 //! What one step of the simulation needs: time, wind, colliders, gravity, light.
 
-use crate::Collider;
+use crate::error::within;
 use crate::frame::wind::Wind;
-use glam::Vec3;
+use crate::shared::noise_twin::NOISE_PERIOD;
+use crate::{Collider, Error};
+use glam::{DVec2, Vec3};
 
 /// A sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,6 +70,49 @@ pub struct Light {
     pub haze: Vec3,
     /// Share of the light lost to haze a metre; 0 is clear air, 0.002 a summer's day.
     pub haze_per_m: f32,
+    /// What moves between the field and the sun.
+    pub shade: Shade,
+}
+
+/// A pattern of shade that lies over the field, as of clouds or of the crowns of trees, and is cast along
+/// the sun's rays: its shadows move with the sun through the day, and with `offset_m`. Plants, clusters of
+/// them and a host's ground (see [`crate::frame::light::SHADE_WGSL`]) lie in the same shade.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shade {
+    /// Share of the sun kept away where it is darkest, 0..=1; 0 is a clear sky, and costs nothing.
+    pub depth: f32,
+    /// Size of its patches, metres, 0.01..=100000.
+    pub size_m: f32,
+    /// Its height in the world, metres, within 100 km. The higher, the farther its shadows move with
+    /// the sun.
+    pub height_m: f32,
+    /// How far it has drifted, x and z, metres; the host moves it.
+    pub offset_m: DVec2,
+}
+
+impl Default for Shade {
+    /// None; were it there, of patches of 12 m at 40 m.
+    fn default() -> Self {
+        Self { depth: 0.0, size_m: 12.0, height_m: 40.0, offset_m: DVec2::ZERO }
+    }
+}
+
+impl Shade {
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        within("light.shade.depth", self.depth, 0.0, 1.0)?;
+        within("light.shade.size_m", self.size_m, 0.01, 1e5)?;
+        within("light.shade.height_m", self.height_m, -1e5, 1e5)?;
+        if self.offset_m.is_finite() {
+            return Ok(());
+        }
+        Err(Error::setting("light.shade.offset_m", "must be finite"))
+    }
+
+    /// The drift in cells of its noise, within the noise's period.
+    pub(crate) fn cells(&self) -> DVec2 {
+        let cells = self.offset_m / f64::from(self.size_m);
+        cells.map(|c| c.rem_euclid(f64::from(NOISE_PERIOD)))
+    }
 }
 
 impl Default for Light {
@@ -79,6 +124,7 @@ impl Default for Light {
             ground: Vec3::new(0.16, 0.17, 0.10),
             haze: Vec3::new(0.62, 0.74, 0.86),
             haze_per_m: 0.0,
+            shade: Shade::default(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Species: what one kind of plant is.
 
-use crate::Error;
 use crate::error::{above_zero, within};
+use crate::{Billboard, Error};
 
 /// Longest and widest blade, metres.
 const LARGEST_M: f32 = 1000.0;
@@ -64,13 +64,8 @@ pub enum Shape {
 #[non_exhaustive]
 pub struct Strip {}
 
-/// Textured quads about the plant's up direction (Wang and Yao 2023).
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
-pub struct Billboard {}
-
 /// What a plant is drawn as near the camera, in views whose technique leaves the choice.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub enum Form {
     /// A curved blade.
@@ -84,7 +79,7 @@ pub enum Form {
 
 impl Form {
     /// Number in the shaders.
-    pub(crate) fn number(self) -> u32 {
+    pub(crate) fn number(&self) -> u32 {
         match self {
             Self::Blade => 0,
             Self::Strip(_) => 1,
@@ -164,6 +159,9 @@ impl Species {
         within(&at("gust"), self.gust, 0.0, 100.0)?;
         within(&at("arch"), self.arch, 0.0, 1.0)?;
         within(&at("ridge"), self.ridge, 0.0, 1.0)?;
+        if let Form::Billboard(billboard) = &self.form {
+            billboard.check(&at("form"))?;
+        }
         self.root_color.check(&at("root_color"))?;
         self.tip_color.check(&at("tip_color"))
     }

@@ -1,6 +1,6 @@
 //! Views: cameras and shadow cascades that share one simulation.
 
-use crate::{DebugView, Observer, Technique};
+use crate::{Bands, DebugView, Observer, Technique};
 use glam::Mat4;
 
 /// Which tests cull blades, and how.
@@ -50,6 +50,8 @@ pub struct View<'a> {
     pub detail: f32,
     /// Which forms plants are drawn in.
     pub technique: Technique,
+    /// Where plants of quads change their form.
+    pub bands: Bands,
     /// Draws every blade at this level, 0 to 3: with 8, 4, 2 or 1 segments, without morphs; `None`
     /// chooses by size. For pictures that compare levels; more segments cost more vertices.
     pub level: Option<u8>,
@@ -78,6 +80,7 @@ impl View<'_> {
             culling: Culling::default(),
             detail: 1.0,
             technique: Technique::default(),
+            bands: Bands::default(),
             level: None,
             debug: None,
             observer: None,

@@ -3,6 +3,7 @@
 mod colors;
 mod fields;
 mod inside;
+pub(crate) mod plants;
 mod settings;
 mod views;
 mod wind;
@@ -111,8 +112,15 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
             surface = self::surface(context, &field_name(field, index), part)?;
             desc.density_map = Some(mask);
         }
-        let name = field_name(field, index);
-        fields.push(SceneField { name, object, surface, desc });
+        let (name, key) = (field_name(field, index), Key::list("fields", index));
+        let mix = plants::mix(field, &key).map_err(|problem| context.error(problem))?;
+        if let Some(mix) = &mix {
+            let mixed = plants::mixed(mix, &key).map_err(|problem| context.error(problem))?;
+            if let Some(note) = mixed.note {
+                context.note(format!("field '{name}': {note}"));
+            }
+        }
+        fields.push(SceneField { name, object, surface, desc, mix });
     }
     let stem = context.path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
     Ok(Scene {
@@ -129,6 +137,8 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         gravity: checked.gravity,
         physics: checked.physics,
         technique: checked.technique,
+        bands: checked.bands,
+        shade: checked.shade,
         culling: checked.culling,
         ground: checked.ground,
         warm_up_s: checked.warm_up_s,

@@ -74,6 +74,10 @@ pub struct Scene {
     pub technique: sward::Technique,
     /// Which tests cull blades.
     pub culling: sward::Culling,
+    /// Where plants of quads change their form.
+    pub bands: sward::Bands,
+    /// What moves between the field and the sun.
+    pub shade: Option<ShadeSettings>,
     /// Look of bare ground.
     pub ground: GroundSettings,
     /// Seconds simulated before time 0, so that grass starts in motion.
@@ -95,6 +99,21 @@ pub struct SceneField {
     pub surface: sward::Surface,
     /// What to grow.
     pub desc: sward::FieldDesc,
+    /// Where its species come of plants by probability: see [`Scene::set_garden`].
+    pub mix: Option<sward::Mix>,
+}
+
+/// What moves between the field and the sun; [`Scene::shade_at`] says where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShadeSettings {
+    /// Share of the sun kept away where it is darkest, 0..=1.
+    pub depth: f32,
+    /// Size of its patches, metres.
+    pub size_m: f32,
+    /// Its height (y), metres.
+    pub height_m: f32,
+    /// How it drifts, x and z, metres a second.
+    pub drift_mps: glam::Vec2,
 }
 
 /// The sun: where it stands and how bright it is.
@@ -152,7 +171,40 @@ impl Scene {
             ground: self.sky.bounce,
             haze: self.sky.horizon,
             haze_per_m: self.sky.haze_m.recip(),
+            shade: self.shade_at(0.0),
         }
+    }
+
+    /// What moves between the field and the sun at a time, as the library takes it.
+    pub fn shade_at(&self, time_s: f64) -> sward::Shade {
+        let Some(shade) = self.shade else { return sward::Shade::default() };
+        let ShadeSettings { depth, size_m, height_m, drift_mps } = shade;
+        sward::Shade { depth, size_m, height_m, offset_m: drift_mps.as_dvec2() * time_s }
+    }
+
+    /// Takes plants from grassland, 0, to garden, 1, in every field that has them by probability.
+    ///
+    /// # Errors
+    /// [`SceneError::Value`] where no field has, or where flowers or grasses are asked for and there are
+    /// none.
+    pub fn set_garden(&mut self, garden: f32) -> Result<(), SceneError> {
+        let error = |problem: check::Problem| SceneError::Value {
+            file: self.path.clone(),
+            at: None,
+            key: problem.key,
+            cause: problem.cause,
+        };
+        if self.fields.iter().all(|field| field.mix.is_none()) {
+            let key = check::Key::name("garden");
+            return Err(error(key.problem("no field has `plants`, which it would mix")));
+        }
+        for (index, field) in self.fields.iter_mut().enumerate() {
+            let Some(mix) = &mut field.mix else { continue };
+            mix.garden = Some(garden);
+            let key = check::Key::list("fields", index);
+            field.desc.species = build::plants::mixed(mix, &key).map_err(error)?.species;
+        }
+        Ok(())
     }
 
     /// The camera of that name; without a name the first.

@@ -158,6 +158,61 @@ fn scene_values_out_of_range_name_their_key() {
 }
 
 #[test]
+fn plants_that_cannot_be_mixed_are_refused() {
+    let cases = [
+        (r#"plants: [(kind: "rose", probability: 1)]"#, "plants[0].kind: unknown plant 'rose'; known: meadow-grass,"),
+        (r#"plants: [(kind: "poppy", probability: -0.1)]"#, "plants[0].probability: -0.1 is out of range"),
+        (r#"plants: [(kind: "poppy", probability: NaN)]"#, "plants[0].probability: NaN"),
+        (r#"plants: [(kind: "poppy", probability: 0)]"#, "plants: all probabilities are 0"),
+        (r#"plants: [(kind: "poppy")]"#, "the key 'probability' is missing"),
+        (r#"plants: [(kind: "poppy", probability: 1)], garden: 0.5"#, "garden: 0.5 asks for grasses"),
+        (r#"plants: [(kind: "poppy", probability: 1)], garden: 1.5"#, "garden: 1.5 is out of range"),
+        (r#"garden: 0.5"#, "garden: it mixes `plants`"),
+        (r#"plants: [(kind: "poppy", probability: 1)], species: [()]"#, "plants: give `plants` or `species`"),
+        (r#"plants: [(kind: "poppy", probability: 1, quads: 7)]"#, "plants[0].quads: 7"),
+        (r#"plants: [(kind: "poppy", probability: 1, sizes: (0, 0, 0))]"#, "plants[0].sizes: all are 0"),
+        (r#"plants: [(kind: "poppy", probability: 1, turn_deg: (9, 3))]"#, "plants[0].turn_deg: (9, 3)"),
+    ];
+    for (keys, expected) in cases {
+        let text = error(&format!("(fields: [(on: Plane(), {keys})])"));
+        assert!(text.starts_with("scene.ron:1:") && text.contains(expected), "{keys}: {text}");
+    }
+    let scene = |keys: &str| format!("(fields: [(on: Plane(), plants: [{keys}])])");
+    let text = scene(r#"(kind: "poppy", probability: 2), (kind: "fine-grass", probability: 6)"#);
+    let mut mixed = parse(&text, Path::new("scene.ron")).expect("a scene");
+    assert!(mixed.notes[0].contains("add up to 8.000"), "{:?}", mixed.notes);
+    let shares = |scene: &Scene| -> Vec<f32> {
+        scene.fields[0].desc.species.iter().map(|s| s.share).collect()
+    };
+    assert_eq!(shares(&mixed), [0.25, 0.75]);
+    mixed.set_garden(0.9).expect("both kinds are there");
+    assert!((shares(&mixed)[0] - 0.9).abs() < 1e-6);
+    let refused = mixed.set_garden(-1.0).expect_err("bad").to_string();
+    assert!(refused.contains("fields[0].garden: -1 is out of range"), "{refused}");
+}
+
+#[test]
+fn bands_out_of_order_are_refused() {
+    let cases = [
+        ("bands: (distances_m: [])", "bands.distances_m: 0 bands: there are three"),
+        ("bands: (distances_m: [3, 9])", "bands.distances_m: 2 bands"),
+        ("bands: (distances_m: [9, 3, 20])", "bands.distances_m: 9, 3, 20 are out of order"),
+        ("bands: (distances_m: [3, 9, 9])", "out of order"),
+        ("bands: (distances_m: [0, 9, 20])", "bands.distances_m[0]: 0"),
+        ("bands: (distances_m: [3, NaN, 20])", "bands.distances_m[1]: NaN"),
+        ("bands: (jitter: 1)", "bands.jitter: 1 is out of range"),
+        ("bands: (far_share: 0)", "bands.far_share: 0"),
+        ("shade: (depth: 1.1)", "shade.depth: 1.1"),
+        ("shade: (size_m: 0)", "shade.size_m: 0"),
+        ("shade: (drift_mps: (0, NaN))", "shade.drift_mps: NaN"),
+    ];
+    for (keys, expected) in cases {
+        let text = error(&format!("(fields: [(on: Plane())], {keys})"));
+        assert!(text.starts_with("scene.ron:1:") && text.contains(expected), "{keys}: {text}");
+    }
+}
+
+#[test]
 fn more_wind_than_is_taken_is_refused() {
     let scene = |count| format!("(fields: [(on: Plane())], wind: [{}])", "Waves(), ".repeat(count));
     assert!(parse(&scene(64), Path::new("scene.ron")).is_ok());

@@ -14,5 +14,5 @@ pub(crate) mod cull;
 pub(crate) mod debug;
 pub(crate) mod draw;
 pub(crate) mod level;
-pub(crate) mod light;
+pub mod light;
 pub(crate) mod update;

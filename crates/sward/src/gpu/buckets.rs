@@ -1,8 +1,8 @@
 //! Which draw lists the plants of a page may be in.
 
-use super::layout::{BLADE_BUCKETS, BUCKETS};
+use super::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET};
 use super::quantize::has_flat_tip;
-use crate::{Species, Technique};
+use crate::{Form, Species, Technique};
 
 /// A set of buckets.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -12,17 +12,25 @@ impl Buckets {
     /// Those that plants of these species may be in, in a view of that technique.
     pub fn of(species: &[Species], technique: Technique) -> Self {
         match technique {
-            Technique::Blades
-            | Technique::Strips
-            | Technique::Billboards
-            | Technique::Continuum => Self::blades(species),
+            Technique::Blades | Technique::Strips => Self::blades(species.iter()),
+            Technique::Billboards | Technique::Continuum => Self::bands(species),
         }
     }
 
     /// Those of single blades.
-    fn blades(species: &[Species]) -> Self {
+    fn blades<'a>(species: impl Iterator<Item = &'a Species>) -> Self {
         let lists = |s: &Species| if has_flat_tip(s) { 0xf0 } else { 0x0f };
-        Self(species.iter().map(lists).fold(0, |all, own| all | own))
+        Self(species.map(lists).fold(0, |all, own| all | own))
+    }
+
+    /// Plants of quads in their three bands, and blades of the others.
+    fn bands(species: &[Species]) -> Self {
+        let of_quads = |s: &&Species| matches!(s.form, Form::Billboard(_));
+        let blades = Self::blades(species.iter().filter(|s| !of_quads(s)));
+        let [middle, far] = BILLBOARD_BUCKETS;
+        let plants = [middle, far, MODEL_BUCKET];
+        let plants = plants.iter().fold(0, |all, bucket| all | 1 << bucket);
+        Self(blades.0 | if species.iter().any(|s| of_quads(&s)) { plants } else { 0 })
     }
 
     /// Of these, those of single blades.

@@ -72,6 +72,7 @@ pub struct GpuFrame {
     pub sky: [f32; 4],
     pub ground: [f32; 4],
     pub haze: [f32; 4],
+    pub shade: [f32; 4],
     pub dt_s: f32,
     pub gravity_blend: f32,
     pub crush_decay: f32,
@@ -82,8 +83,8 @@ pub struct GpuFrame {
     pub ticks: u32,
     pub resting_chunks: u32,
     pub keep_resting: u32,
-    pub reserved_a: u32,
-    pub reserved_b: u32,
+    pub shade_x: f32,
+    pub shade_y: f32,
 }
 
 /// `GpuField` of field.wgsl.
@@ -146,9 +147,10 @@ pub struct GpuView {
     pub level_height: [f32; 2],
     pub cluster_width: [f32; 2],
     pub technique: u32,
-    pub reserved_a: u32,
-    pub reserved_b: u32,
-    pub reserved_c: u32,
+    pub far_share: f32,
+    pub far_size: f32,
+    pub reserved: u32,
+    pub bands: [f32; 4],
 }
 
 /// `GpuBand` of band.wgsl.

@@ -8,7 +8,7 @@ use crate::frame::collide::primitive::{self, GpuPrimitive};
 use crate::frame::debug::{CORNER_STRIDE, GpuDebug};
 use crate::frame::draw::topology::BLADES_PER_INSTANCE;
 use crate::frame::wind::GpuWindSource;
-use crate::{Billboard, Form, Strip, Technique};
+use crate::{Billboard, Form, Plant, Strip, Technique};
 use std::mem::{offset_of, size_of};
 
 struct Expected {
@@ -37,6 +37,7 @@ fn structs() -> Vec<Expected> {
             sky,
             ground,
             haze,
+            shade,
             dt_s,
             gravity_blend,
             crush_decay,
@@ -47,8 +48,8 @@ fn structs() -> Vec<Expected> {
             ticks,
             resting_chunks,
             keep_resting,
-            reserved_a,
-            reserved_b,
+            shade_x,
+            shade_y,
         }),
         expected!(GpuPrimitive { a, b }),
         expected!(GpuWindSource {
@@ -108,9 +109,10 @@ fn structs() -> Vec<Expected> {
             level_height,
             cluster_width,
             technique,
-            reserved_a,
-            reserved_b,
-            reserved_c,
+            far_share,
+            far_size,
+            reserved,
+            bands,
         }),
         expected!(GpuBand { step, ticks, culled, counts, tested, sway_x, sway_y, sway_z }),
         expected!(GpuBlock { buckets, counted }),
@@ -168,6 +170,7 @@ fn constants_agree_with_the_shaders() {
         ("CLUSTER_BUCKET", CLUSTER_BUCKET as u32),
         ("STRIP_BUCKET", STRIP_BUCKETS[0] as u32),
         ("BILLBOARD_BUCKET", BILLBOARD_BUCKETS[0] as u32),
+        ("FAR_BILLBOARD_BUCKET", BILLBOARD_BUCKETS[1] as u32),
         ("MODEL_BUCKET", MODEL_BUCKET as u32),
         ("BLADES", Technique::Blades as u32),
         ("STRIPS", Technique::Strips as u32),
@@ -175,7 +178,7 @@ fn constants_agree_with_the_shaders() {
         ("CONTINUUM", Technique::Continuum as u32),
         ("FORM_BLADE", Form::Blade.number()),
         ("FORM_STRIP", Form::Strip(Strip::default()).number()),
-        ("FORM_BILLBOARD", Form::Billboard(Billboard::default()).number()),
+        ("FORM_BILLBOARD", Form::Billboard(Billboard::new(Plant::Daisy)).number()),
         ("BLOCK", BLOCK),
         ("NEAR_STRIDE", NEAR_STRIDE),
         ("NEAR_SLOTS", NEAR_SLOTS),

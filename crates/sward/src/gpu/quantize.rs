@@ -3,7 +3,7 @@
 use super::layout::{GpuPatch, GpuSpecies, MAX_SPECIES};
 use crate::Field;
 use crate::grow::{Blade, Patch};
-use crate::species::{Range, Shape, Species};
+use crate::species::{Form, Range, Shape, Species};
 use bytemuck::Zeroable;
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
@@ -200,6 +200,7 @@ fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies
         Shape::Dandelion => (4.0, 0.5),
     };
     let (root, top) = (species.root_color, species.tip_color);
+    let (look, look_values) = species_look(species);
     GpuSpecies {
         height: range(species.height_m),
         width: range(species.width_m),
@@ -215,8 +216,20 @@ fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies
             lost * full / outline_area(species.shape, SEGMENTS[level])
         }),
         colors: [root.from, root.to, top.from, top.to].map(pack_color),
-        look: [species.form.number(), 0, 0, 0],
-        look_values: [0.0; 4],
+        look,
+        look_values,
+    }
+}
+
+/// `look` and `look_values` of a species.
+fn species_look(species: &Species) -> ([u32; 4], [f32; 4]) {
+    let form = species.form.number();
+    match &species.form {
+        Form::Billboard(b) => {
+            let values = [b.angle_deg.to_radians(), b.wind_turn, b.wind_tint, b.absorption];
+            ([form, 0, 0, b.quads], values)
+        }
+        _ => ([form, 0, 0, 0], [0.0; 4]),
     }
 }
 

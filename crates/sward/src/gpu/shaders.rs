@@ -42,7 +42,12 @@ const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
 const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
+const SHADE: &str = part!("frame/light/shade.wgsl");
+const SUNLIGHT: &str = part!("frame/light/sunlight.wgsl");
 const PLANT: &str = part!("frame/draw/plant.wgsl");
+const PICTURES: &str = part!("frame/draw/pictures.wgsl");
+const QUADS: &str = part!("frame/draw/quads.wgsl");
+const BILLBOARD: &str = part!("frame/draw/billboard.wgsl");
 const OUTLINE: &str = part!("frame/draw/outline.wgsl");
 const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
@@ -68,6 +73,8 @@ pub enum Shader {
     Draw,
     /// Blades with lobes.
     DrawLobed,
+    /// Plants as quads.
+    DrawBillboard,
     /// Why each blade is drawn or not, reading a single-sampled depth.
     Explain,
     /// The same, reading a multisampled depth.
@@ -78,7 +85,7 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -87,6 +94,7 @@ impl Shader {
         Self::Compact,
         Self::Draw,
         Self::DrawLobed,
+        Self::DrawBillboard,
         Self::Explain,
         Self::ExplainMultisampled,
         Self::DrawDebug,
@@ -100,15 +108,21 @@ impl Shader {
             Self::Update | Self::UpdateMultisampled => "sward.update",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
-            Self::Draw | Self::DrawLobed => "sward.draw",
+            Self::Draw | Self::DrawLobed | Self::DrawBillboard => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
             Self::DrawDebug => "sward.debug",
         }
     }
 
     fn parts(self) -> Vec<&'static str> {
-        let draw = [STATE, DRAWS, VIEW, LEVEL, LIGHT, PLANT, OUTLINE, BLADE_POINT, DRAW].as_slice();
+        let light = [SHADE, SUNLIGHT, LIGHT];
+        let blade =
+            [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
+        let draw = blade.concat();
         let level = [LEVEL, FORM, CONTINUUM, STRIPS, BANDS];
+        let plant =
+            [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
+        let plant = plant.concat();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
         let update = [&motion[..], &level, &[TESTS, DECIDE, UPDATE]].concat();
@@ -120,11 +134,12 @@ impl Shader {
             Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &collide, &update],
             Self::Scan => &[&[BAND, DRAWS, VIEW, SCAN]],
             Self::Compact => &[&[BAND, VIEW, COMPACT]],
-            Self::Draw => &[draw],
-            Self::DrawLobed => &[draw, &[LOBES, LOBED]],
+            Self::Draw => &[&draw],
+            Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
+            Self::DrawBillboard => &[&plant, &[QUADS, BILLBOARD]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
-            Self::DrawDebug => &[draw, &[LOBES, LOBED, DEBUG]],
+            Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG]],
         };
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
         [&field[..], &rest.concat()].concat()

@@ -91,6 +91,7 @@ pub fn check_view(view: &View) -> Result<(), Error> {
     if !above_zero(view.detail) || !above_zero(view.culling.max_distance_m) {
         return Err(Error::setting("view", "detail and max_distance_m must be above 0"));
     }
+    view.bands.check()?;
     if let Some(level) = view.level
         && usize::from(level) >= SEGMENTS.len()
     {
@@ -121,6 +122,7 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
     let perspective = clip.w_axis.w.abs() < 0.5;
     let row = view.view_from_world.transpose().z_axis;
     let eye: Vec3 = world_from_view.w_axis.truncate();
+    let bands = view.bands;
     let detail = view.detail.clamp(1e-3, 1e6);
     GpuView {
         clip_from_world: clip_from_world.to_cols_array_2d(),
@@ -138,8 +140,9 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
         level_height: level_height(view.level),
         cluster_width: CLUSTER_WIDTH_PX.map(|px| px / detail),
         technique: view.technique as u32,
-        reserved_a: 0,
-        reserved_b: 0,
-        reserved_c: 0,
+        far_share: view.bands.far_share,
+        far_size: view.bands.far_size,
+        reserved: 0,
+        bands: [bands.near_m, bands.middle_m, bands.far_m.min(1e30), bands.jitter],
     }
 }

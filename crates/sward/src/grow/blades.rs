@@ -6,7 +6,7 @@ use super::random::{Draws, Purpose, Stream};
 use super::scatter::Root;
 use super::tufts::RIM_LEAN;
 use crate::gpu::quantize::tangent_frame;
-use crate::{FieldDesc, Species};
+use crate::{Billboard, FieldDesc, Form, Species};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::f32::consts::TAU;
@@ -63,6 +63,9 @@ impl<'a> Gardener<'a> {
         let up = self.up(root);
         let facing = facing(up, root.lean, draws.unit());
         let own = draws.unit();
+        if let Form::Billboard(billboard) = &species.form {
+            return plant(root, up, (kind, species, billboard), own, &mut draws);
+        }
         let tall = match &mut tuft_draws {
             Some(tuft) => {
                 // Tufts differ in size, and are lower towards their rim.
@@ -97,6 +100,30 @@ impl<'a> Gardener<'a> {
         let up = root.normal.lerp(Vec3::Y, self.upright) + root.lean;
         // Halfway between straight down and straight up there is no direction: keep the normal.
         if up.length_squared() > 1e-6 { up.normalize() } else { root.normal }
+    }
+}
+
+/// A plant of quads: turned by Wang and Yao's equation 2, as large as by 3; its width goes with its height,
+/// stretched a little.
+fn plant(
+    root: &Root,
+    up: Vec3,
+    (kind, species, billboard): (usize, &Species, &Billboard),
+    class: f32,
+    draws: &mut Draws,
+) -> Blade {
+    let tall = billboard.sizes.place(class, draws.unit());
+    let wide = (tall + 0.3 * (draws.unit() - 0.5)).clamp(0.0, 1.0);
+    let response = species.response.at(draws.unit());
+    let turn = billboard.turn_deg.at(draws.unit()).to_radians().rem_euclid(TAU);
+    Blade {
+        root: root.position,
+        up,
+        facing: if turn < TAU { turn } else { 0.0 },
+        height: species.height_m.at(tall),
+        width: species.width_m.at(wide),
+        response,
+        species: kind as u8,
     }
 }
 

@@ -53,7 +53,7 @@ fn check_light(light: &Light) -> Result<(), Error> {
     let colors = [light.to_sun, light.sun, light.sky, light.ground, light.haze];
     let haze = light.haze_per_m;
     if colors.iter().all(|c| c.is_finite()) && haze.is_finite() && haze >= 0.0 {
-        return Ok(());
+        return light.shade.check();
     }
     Err(Error::setting("light", "must be finite, and haze_per_m not below 0"))
 }
@@ -154,6 +154,7 @@ fn at_most(what: &str, limit: &'static str, asked: usize, available: usize) -> R
 fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, chunks: ChunkCounts) -> GpuFrame {
     let with = |v: Vec3, w: f32| v.extend(w).to_array();
     let (gravity, light) = (&frame.gravity, &frame.light);
+    let shade_cells = light.shade.cells();
     GpuFrame {
         gravity_direction: with(gravity.direction.normalize_or_zero(), gravity.strength),
         gravity_center: with(gravity.center, gravity.center_strength),
@@ -162,6 +163,7 @@ fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, chunks: ChunkCounts) -> 
         sky: with(light.sky, 0.0),
         ground: with(light.ground, 0.0),
         haze: with(light.haze, light.haze_per_m),
+        shade: [light.shade.depth, light.shade.size_m.recip(), light.shade.height_m, 0.0],
         dt_s: clock.dt_s(),
         gravity_blend: gravity.blend,
         crush_decay: CRUSH_DECAY,
@@ -175,7 +177,7 @@ fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, chunks: ChunkCounts) -> 
         ticks: clock.ticks(),
         resting_chunks: chunks.resting,
         keep_resting: chunks.keep_resting.into(),
-        reserved_a: 0,
-        reserved_b: 0,
+        shade_x: shade_cells.x as f32,
+        shade_y: shade_cells.y as f32,
     }
 }

@@ -39,7 +39,7 @@ struct GpuSpecies {
     // Root from and to, tip from and to: 10 bits a channel, square root encoded
     colors: vec4<u32>,
     // Near form: 0 blade, 1 strip, 2 billboard; first of its layers in the plants' pictures, how many;
-    // quads
+    // quads (8 bits), and whether it has a model (bit 8)
     look: vec4<u32>,
     // Angle between quads, radians; three of the form's own
     look_values: vec4<f32>,
@@ -61,6 +61,7 @@ const BUCKETS: u32 = 16u;
 const CLUSTER_BUCKET: u32 = 8u;
 const STRIP_BUCKET: u32 = 9u;
 const BILLBOARD_BUCKET: u32 = 11u;
+const FAR_BILLBOARD_BUCKET: u32 = 12u;
 const MODEL_BUCKET: u32 = 13u;
 // In no list
 const NO_BUCKET: u32 = 15u;

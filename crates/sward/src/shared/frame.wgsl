@@ -13,6 +13,8 @@ struct GpuFrame {
     ground: vec4<f32>,
     // rgb colour that distance fades to, w share lost a metre
     haze: vec4<f32>,
+    // Moving shade: how much of the sun at its darkest, cells of noise a metre, height in metres
+    shade: vec4<f32>,
     // Seconds of this step
     dt_s: f32,
     // Blend between gravity's direction (0) and centre (1)
@@ -32,8 +34,9 @@ struct GpuFrame {
     resting_chunks: u32,
     // Not 0 where those that rest are as they were, and patches keep what they know of them
     keep_resting: u32,
-    reserved_a: u32,
-    reserved_b: u32,
+    // How far the shade has drifted, cells
+    shade_x: f32,
+    shade_y: f32,
 }
 
 // Part of a collider, or the box of a chunk: see collide/primitive.rs and collide/chunks.rs.

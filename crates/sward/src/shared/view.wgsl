@@ -28,9 +28,12 @@ struct GpuView {
     cluster_width: vec2<f32>,
     // 0 blades, 1 strips, 2 billboards, 3 continuum
     technique: u32,
-    reserved_a: u32,
-    reserved_b: u32,
-    reserved_c: u32,
+    // Of plants far off: share that is kept, and height
+    far_share: f32,
+    far_size: f32,
+    reserved: u32,
+    // Where the bands of distance end, metres, and how much a plant's own differ
+    bands: vec4<f32>,
 }
 
 const BLADES: u32 = 0u;

@@ -1,6 +1,6 @@
 //! Fields and species.
 
-use super::Context;
+use super::{Context, plants};
 use crate::assets;
 use crate::check::{Key, MAX_M, Problem};
 use crate::error::SceneError;
@@ -41,12 +41,6 @@ fn checked(field: &FieldFile, key: &Key) -> Result<FieldDesc, Problem> {
     let default = FieldDesc::default();
     let density = field.density.unwrap_or(default.density);
     let count = field.count.map(|count| key.at("count").integer(count, 1, u64::MAX));
-    let kinds = field.species.len() as u64;
-    key.at("species")
-        .integer(kinds, 1, 256)
-        .map_err(|_| key.at("species").problem(format!("{kinds} kinds: there must be 1 to 256")))?;
-    let species = field.species.iter().enumerate();
-    let species = species.map(|(i, kind)| self::species(kind, &key.at("species").index(i)));
     let limits = key.at("height_limits_m").span(field.height_limits_m, not_nan)?;
     let patch_size = key.at("patch_size").integer(field.patch_size.into(), 64, 1024)?;
     if patch_size % 64 != 0 {
@@ -58,7 +52,7 @@ fn checked(field: &FieldFile, key: &Key) -> Result<FieldDesc, Problem> {
         density: key.at("density").above_zero(density, f32::MAX)?,
         count: count.transpose()?,
         seed: field.seed,
-        species: species.collect::<Result<_, _>>()?,
+        species: kinds(field, key)?,
         tufts: tufts(field, &key.at("tufts"))?,
         density_map: None,
         color_map: None,
@@ -79,6 +73,21 @@ fn checked(field: &FieldFile, key: &Key) -> Result<FieldDesc, Problem> {
         },
         max_blades: key.at("max_blades").integer(field.max_blades, 1, u64::MAX)?,
     })
+}
+
+/// The species, or what the plants come to.
+fn kinds(field: &FieldFile, key: &Key) -> Result<Vec<Species>, Problem> {
+    if let Some(mix) = plants::mix(field, key)? {
+        return Ok(plants::mixed(&mix, key)?.species);
+    }
+    let Some(species) = &field.species else {
+        return Ok(vec![self::species(&SpeciesFile::default(), key)?]);
+    };
+    let (key, count) = (key.at("species"), species.len() as u64);
+    key.integer(count, 1, 256)
+        .map_err(|_| key.problem(format!("{count} kinds: there must be 1 to 256")))?;
+    let species = species.iter().enumerate();
+    species.map(|(i, kind)| self::species(kind, &key.index(i))).collect()
 }
 
 fn not_nan(key: &Key, value: f32) -> Result<f32, Problem> {

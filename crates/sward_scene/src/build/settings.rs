@@ -1,12 +1,13 @@
 //! Settings of the whole scene: light, sky, gravity, culling.
 
+use super::plants;
 use crate::check::{Key, Problem};
 use crate::schema::{
     CullingFile, GravityFile, PhysicsFile, SceneFile, SkyFile, SunFile, TechniqueFile,
 };
-use crate::{GroundSettings, SkySettings, SunSettings};
+use crate::{GroundSettings, ShadeSettings, SkySettings, SunSettings};
 use glam::Vec3;
-use sward::{Culling, Gravity, PhysicsModel, Technique};
+use sward::{Bands, Culling, Gravity, PhysicsModel, Technique};
 
 pub(super) struct Settings {
     pub(super) light: SunSettings,
@@ -14,6 +15,8 @@ pub(super) struct Settings {
     pub(super) gravity: Gravity,
     pub(super) physics: PhysicsModel,
     pub(super) technique: Technique,
+    pub(super) bands: Bands,
+    pub(super) shade: Option<ShadeSettings>,
     pub(super) culling: Culling,
     pub(super) ground: GroundSettings,
     pub(super) warm_up_s: f32,
@@ -37,6 +40,8 @@ impl Settings {
                 TechniqueFile::Billboards => Technique::Billboards,
                 TechniqueFile::Continuum => Technique::Continuum,
             },
+            bands: plants::bands(&file.bands)?,
+            shade: file.shade.as_ref().map(plants::shade).transpose()?,
             culling: culling(&file.culling)?,
             ground: GroundSettings {
                 soil: ground.at("soil").color(file.ground.soil)?,

@@ -1,6 +1,6 @@
 //! Keys for fields and species.
 
-use super::{Color, Source, Span};
+use super::{Color, PlantFile, Source, Span};
 use serde::Deserialize;
 
 /// What grows, and on what.
@@ -21,9 +21,16 @@ pub struct FieldFile {
     /// Same seed, same field; default 1.
     #[serde(default = "first_seed")]
     pub seed: u64,
-    /// The mix, 1 to 256 kinds; default: one, of default grass.
-    #[serde(default = "one_species")]
-    pub species: Vec<SpeciesFile>,
+    /// The mix, 1 to 256 kinds; default: one, of default grass. Not with `plants`.
+    #[serde(default)]
+    pub species: Option<Vec<SpeciesFile>>,
+    /// Plants by probability, in place of `species`; default none.
+    #[serde(default)]
+    pub plants: Vec<PlantFile>,
+    /// From grassland, 0, to garden, 1: the share of flowers among `plants`. Grasses among each other and
+    /// flowers among each other keep their probabilities. Default: the probabilities as they are.
+    #[serde(default)]
+    pub garden: Option<f32>,
     /// Tufts; default none.
     #[serde(default)]
     pub tufts: Option<TuftsFile>,
@@ -65,9 +72,6 @@ pub struct FieldFile {
 
 fn first_seed() -> u64 {
     1
-}
-fn one_species() -> Vec<SpeciesFile> {
-    vec![SpeciesFile::default()]
 }
 fn any_slope() -> f32 {
     180.0

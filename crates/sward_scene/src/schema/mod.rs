@@ -9,6 +9,7 @@ mod field;
 mod light;
 mod motion;
 mod object;
+mod plants;
 mod source;
 mod value;
 mod wind;
@@ -24,6 +25,7 @@ pub use light::{
 };
 pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
+pub use plants::{BandsFile, PlantFile, ShadeFile};
 pub use source::{
     HeightmapFile, MobiusFile, PlaneFile, RockFile, Source, SphereMeshFile, TerrainFile, TorusFile,
     TreeFile,
@@ -68,6 +70,10 @@ pub struct SceneFile {
     pub technique: TechniqueFile,
     /// Which tests cull blades.
     pub culling: CullingFile,
+    /// Where plants change from models to quads.
+    pub bands: BandsFile,
+    /// What moves between the field and the sun: clouds, or crowns of trees; default nothing.
+    pub shade: Option<ShadeFile>,
     /// Seconds simulated before time 0, 0..=60; default 3. Longer starts later and in fuller motion.
     pub warm_up_s: f32,
     /// Frames a second, 1..=1000; default 30.
@@ -94,6 +100,8 @@ impl Default for SceneFile {
             physics: PhysicsFile::default(),
             technique: TechniqueFile::default(),
             culling: CullingFile::default(),
+            bands: BandsFile::default(),
+            shade: None,
             warm_up_s: 3.0,
             fps: 30.0,
         }

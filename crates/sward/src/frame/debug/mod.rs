@@ -95,7 +95,8 @@ fn draw_pipelines(
     let make = |bucket| {
         let mut constants = constants(bucket, targets, false);
         constants.push(("INDICES", Topology::of(bucket).indices().len() as f64));
-        let program = Program { module: &module, vertex: "vs_debug", fragment: "fs_debug" };
+        let program =
+            Program { module: &module, vertex: "vs_debug", fragment: "fs_debug", masked: false };
         pipeline(device, &layout, targets, program, &constants)
     };
     (0..BLADE_BUCKETS).map(make).collect()

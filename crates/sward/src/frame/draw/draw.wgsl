@@ -31,6 +31,7 @@ fn lit(point: BladePoint) -> vec3<f32> {
     surface.height_share = point.height_share;
     surface.root_open = point.root_open;
     surface.lean = point.lean;
+    surface.shaded = sun_shade(point.position);
     return with_haze(shade_blade(surface, to_eye), distance_to(point.position));
 }
 

@@ -1,7 +1,8 @@
 //! The triangles of a plant, in each bucket.
 
 use super::topology::{BLADES_PER_INSTANCE, Topology};
-use crate::gpu::layout::{BLADE_BUCKETS, BUCKETS};
+use crate::billboard::MAX_QUADS;
+use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS};
 
 /// What a plant of a bucket is made of.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,7 +20,24 @@ impl Mesh {
             let topology = Topology::of(bucket);
             return Self { vertices: topology.vertices(), indices: topology.indices() };
         }
-        Self::card()
+        let [middle, far] = BILLBOARD_BUCKETS;
+        match bucket {
+            _ if bucket == middle => Self::quads(MAX_QUADS, 2),
+            _ if bucket == far => Self::quads(MAX_QUADS.div_ceil(2), 1),
+            _ => Self::card(),
+        }
+    }
+
+    /// Cards, each of so many pieces from bottom to top.
+    fn quads(quads: u32, pieces: u32) -> Self {
+        let rows = pieces as u16 + 1;
+        let piece = |quad: u16, piece: u16| {
+            let first = 2 * (quad * rows + piece);
+            Self::card().indices.into_iter().map(move |i| first + i)
+        };
+        let indices =
+            (0..quads as u16).flat_map(|q| (0..pieces as u16).flat_map(move |p| piece(q, p)));
+        Self { vertices: 2 * quads * u32::from(rows), indices: indices.collect() }
     }
 
     /// Two triangles: from the left of the bottom on, counterclockwise by rows.

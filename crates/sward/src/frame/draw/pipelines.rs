@@ -1,8 +1,9 @@
 //! The pipelines of drawing: one a bucket, in the variants that fields need.
 
+use super::mesh::Mesh;
 use super::topology::Topology;
 use crate::Targets;
-use crate::gpu::layout::BLADE_BUCKETS;
+use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS};
 use crate::gpu::shaders::Shader;
 
 /// What a field needs beyond the plain pipelines. Others do not pay for it: variants are made when
@@ -21,6 +22,8 @@ pub(crate) struct Program<'a> {
     pub(crate) module: &'a wgpu::ShaderModule,
     pub(crate) vertex: &'a str,
     pub(crate) fragment: &'a str,
+    /// Whether alpha decides how many samples of a pixel are covered.
+    pub(crate) masked: bool,
 }
 
 /// What the pipeline of a bucket of blades is made with.
@@ -63,7 +66,11 @@ pub(crate) fn pipeline(
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }),
-        multisample: wgpu::MultisampleState { count: targets.samples, ..Default::default() },
+        multisample: wgpu::MultisampleState {
+            count: targets.samples,
+            alpha_to_coverage_enabled: program.masked && targets.samples > 1,
+            ..Default::default()
+        },
         fragment: Some(wgpu::FragmentState {
             module: program.module,
             entry_point: Some(program.fragment),
@@ -102,6 +109,9 @@ pub(super) fn bucket_pipeline(
         0..BLADE_BUCKETS => {
             Some(blade_pipeline(device, modules, (layout, targets), variant, bucket))
         }
+        _ if BILLBOARD_BUCKETS.contains(&bucket) => {
+            Some(billboard_pipeline(device, modules, (layout, targets), bucket))
+        }
         _ => None,
     }
 }
@@ -126,5 +136,29 @@ fn blade_pipeline(
     // The plain module knows no samples
     constants.retain(|(name, _)| *name != "SAMPLES" || lobed);
     let module = &modules.get(device, shader);
-    pipeline(device, layout, targets, Program { module, vertex, fragment }, &constants)
+    pipeline(
+        device,
+        layout,
+        targets,
+        Program { module, vertex, fragment, masked: false },
+        &constants,
+    )
+}
+
+/// Plants of quads: cut by alpha, with several samples a pixel by how many of them it covers.
+fn billboard_pipeline(
+    device: &wgpu::Device,
+    modules: &mut Modules,
+    (layout, targets): (&wgpu::PipelineLayout, Targets),
+    bucket: usize,
+) -> wgpu::RenderPipeline {
+    let constants = [
+        ("BUCKET", bucket as f64),
+        ("VERTICES", f64::from(Mesh::of(bucket).vertices)),
+        ("PIECES", if bucket == BILLBOARD_BUCKETS[0] { 2.0 } else { 1.0 }),
+        ("SAMPLES", f64::from(targets.samples)),
+    ];
+    let module = &modules.get(device, Shader::DrawBillboard);
+    let program = Program { module, vertex: "vs_quad", fragment: "fs_quad", masked: true };
+    pipeline(device, layout, targets, program, &constants)
 }

@@ -12,8 +12,16 @@ struct BladeSurface {
     root_open: f32,
     // How far the blade lies over: 0 upright, 1 flat
     lean: f32,
+    // Share of the sun that what is between, such as a cloud, keeps away
+    shaded: f32,
+    // Share of the light that the plant itself keeps away, and scatters
+    absorbed: f32,
+    // How much less light passes than through a blade of grass: 1 none, below 0 more
+    blocked: f32,
 }
 
+// Share of the light kept away inside a plant that it scatters towards the eye.
+const SCATTERED: f32 = 0.35;
 // Share of the sky's light that a blade lying flat mirrors.
 const SKY_SHEEN: f32 = 0.08;
 
@@ -29,17 +37,20 @@ fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
     // mirrors the sky: so a gust shows as it passes
     let over = smoothstep(0.15, 0.75, surface.lean);
     let share = mix(surface.height_share, 1.0, 0.7 * over);
-    let open = canopy_open(share, surface.root_open);
+    let open = canopy_open(share, surface.root_open) * (1.0 - 0.4 * surface.absorbed);
     let facing_sun = dot(surface.normal, to_sun);
     let reflected = max(facing_sun, 0.0);
     // Light through the leaf is yellower than light off it, and strongest against the sun
-    let through = max(-facing_sun, 0.0);
+    let through = max(-facing_sun, 0.0) * (1.0 - surface.blocked);
     let leaf = surface.albedo * vec3<f32>(1.15, 1.2, 0.55);
     let toward = max(dot(-to_eye, to_sun), 0.0);
     let against = toward * toward * toward * toward;
-    let sun_light = frame.sun.rgb * (open * open);
+    let arriving = frame.sun.rgb * (open * open * (1.0 - surface.shaded));
+    let sun_light = arriving * (1.0 - surface.absorbed);
     var color = surface.albedo * sun_light * reflected * 0.32;
     color += leaf * sun_light * through * (0.30 + 0.35 * against);
+    // What is kept away on the way through the plant comes out of it on all sides, greener
+    color += leaf * surface.albedo * arriving * (surface.absorbed * SCATTERED * (0.5 + against));
     let half_vector = to_sun + to_eye;
     let h = half_vector * inverseSqrt(max(dot(half_vector, half_vector), 1e-6));
     let shine = max(dot(surface.normal, h), 0.0);

@@ -1,0 +1,133 @@
+// Plants as textured quads about their up direction (Wang and Yao): 11 with all quads, of two pieces
+// each, which turns into 12 with half of them, of one.
+
+// Pieces of a quad from bottom to top
+override PIECES: u32 = 2u;
+// Samples a pixel of the target: with several, alpha decides how many are covered
+override SAMPLES: u32 = 1u;
+
+struct QuadVertex {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) @interpolate(perspective, centroid) place: vec2<f32>,
+    @location(1) @interpolate(perspective, centroid) position: vec3<f32>,
+    @location(2) @interpolate(perspective, centroid) side: vec3<f32>,
+    @location(3) @interpolate(perspective, centroid) along: vec3<f32>,
+    // From the plant's middle line
+    @location(4) @interpolate(perspective, centroid) offset: vec3<f32>,
+    @location(5) @interpolate(flat) up: vec3<f32>,
+    // Light at the roots, lean, tone, absorption
+    @location(6) @interpolate(flat) looks: vec4<f32>,
+    // Width and height, metres
+    @location(7) @interpolate(flat) size: vec2<f32>,
+    @location(8) @interpolate(flat) layer: u32,
+}
+
+const HIDDEN_QUAD: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);
+const LOOK_SALT: u32 = 41u;
+// Pictures of a variant: seen from three sides, 60 degrees apart
+const PICTURE_VIEWS: u32 = 3u;
+
+// The picture of a quad: one of the variants of the plant, from the side that the quad shows.
+fn quad_layer(look: vec4<u32>, id: u32, quad: u32) -> u32 {
+    let variants = max(look.z / PICTURE_VIEWS, 1u);
+    let variant = min(u32(hash01(id, LOOK_SALT) * f32(variants)), variants - 1u);
+    if look.z < PICTURE_VIEWS {
+        return look.y + min(variant, max(look.z, 1u) - 1u);
+    }
+    return look.y + variant * PICTURE_VIEWS + quad % PICTURE_VIEWS;
+}
+
+@vertex
+fn vs_quad(
+    @builtin(vertex_index) vertex: u32,
+    @builtin(instance_index) instance: u32,
+) -> QuadVertex {
+    var out: QuadVertex;
+    out.clip = HIDDEN_QUAD;
+    let listed = listed_plant(vertex, instance);
+    if listed.hidden {
+        return out;
+    }
+    let kind = (blades[listed.index].y >> 16u) & 0xffu;
+    let look = species_table[kind].look;
+    let quads = look.w & 0xffu;
+    let corner = vertex % VERTICES;
+    let quad = corner / (2u * (PIECES + 1u));
+    let row = (corner / 2u) % (PIECES + 1u);
+    let morph = select(listed.morph, 1.0, BUCKET == FAR_BILLBOARD_BUCKET);
+    if quad >= select(quads, far_quads(quads), BUCKET == FAR_BILLBOARD_BUCKET) {
+        return out;
+    }
+    let blade = unpack_blade(listed.index);
+    let state = unpack_state(blade, dynamics[listed.index]);
+    let values = species_table[kind].look_values;
+    let shape = quad_of(quad, quads, values.x, morph);
+    let distance = distance_to(blade.root + blade.up * (0.5 * blade.height));
+    let share = band_keep(distance, band_stretch(blade.id), plant_keep(blade.width, distance));
+    let grown = listed.fade * mix(1.0, view.far_size, morph);
+    let size = vec2<f32>(blade.width * listed.fade * widening(share), blade.height * grown);
+    let at = vec2<f32>(f32(corner % 2u), f32(row) / f32(PIECES));
+    // Wind from the side turns the plant
+    let twist = values.y * dot(state.tip, cross(blade.up, blade.facing));
+    let wide = vec2<f32>(size.x * shape.width, size.y);
+    let point = morphed_point(blade, state.tip, wide, shape.turn, twist, at, morph);
+    let lean = min(length(state.tip - blade.up * dot(state.tip, blade.up)), 1.0);
+    out.clip = view.clip_from_world * vec4<f32>(point.position, 1.0);
+    out.place = at;
+    out.position = point.position;
+    out.side = point.side;
+    out.along = point.along;
+    out.offset = point.position - point.center;
+    out.up = blade.up;
+    let tone = (0.85 + 0.3 * hash01(blade.id, 22u)) * (1.0 + values.z * (lean - 0.1));
+    out.looks = vec4<f32>(species_table[kind].form.z, lean, tone, values.w);
+    out.size = size;
+    out.layer = quad_layer(look, blade.id, quad);
+    return out;
+}
+
+// Share of the light that the plant keeps away on its way from the sun to a point in it: Beer and
+// Lambert's law over the way through a cylinder about it.
+fn absorbed_in(in: QuadVertex) -> f32 {
+    let radius = 0.5 * in.size.x;
+    let rise = dot(frame.to_sun.xyz, in.up);
+    let level = frame.to_sun.xyz - in.up * rise;
+    let flat_offset = in.offset - in.up * dot(in.offset, in.up);
+    let speed2 = max(dot(level, level), 1e-4);
+    let ahead = dot(flat_offset, level);
+    let room = max(radius * radius - dot(flat_offset, flat_offset), 0.0);
+    let to_side = (sqrt(ahead * ahead + speed2 * room) - ahead) / speed2;
+    let to_top = in.size.y * (1.0 - in.place.y) / max(rise, 0.05);
+    return 1.0 - exp(-in.looks.w * min(to_side, to_top) / max(radius, 1e-4));
+}
+
+@fragment
+fn fs_quad(in: QuadVertex, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    let uv = vec2<f32>(in.place.x, 1.0 - in.place.y);
+    let color = textureSample(plant_color, picture_sampler, uv, in.layer);
+    let shape = textureSample(plant_normal, picture_sampler, uv, in.layer);
+    let to_eye = -view_ray(in.position);
+    let face = unit_or(cross(in.side, in.along), in.up);
+    let facing_eye = dot(face, to_eye);
+    // A quad seen edge-on is a line that no plant has: it goes before
+    let shown = smoothstep(0.1, 0.3, abs(facing_eye));
+    let sharp = max(fwidth(color.a), 1e-3);
+    let alpha = clamp((color.a * shown - 0.5) / sharp + 0.5, 0.0, 1.0);
+    if alpha < select(0.5, 0.03, SAMPLES > 1u) {
+        discard;
+    }
+    let n = shape.xyz * 2.0 - 1.0;
+    let toward = face * select(-1.0, 1.0, facing_eye >= 0.0);
+    var surface: BladeSurface;
+    surface.albedo = color.rgb * color.rgb * in.looks.z;
+    surface.normal = unit_or(in.side * n.x + in.along * n.y + toward * n.z, toward);
+    surface.up = in.up;
+    surface.height_share = in.place.y;
+    surface.root_open = in.looks.x;
+    surface.lean = in.looks.y;
+    surface.shaded = sun_shade(in.position);
+    surface.absorbed = absorbed_in(in);
+    surface.blocked = 1.0 - 2.0 * shape.a;
+    let lit = with_haze(shade_blade(surface, to_eye), distance_to(in.position));
+    return vec4<f32>(max(lit, vec3<f32>(0.0)), alpha);
+}
