@@ -160,18 +160,39 @@ fn scene_values_out_of_range_name_their_key() {
 #[test]
 fn plants_that_cannot_be_mixed_are_refused() {
     let cases = [
-        (r#"plants: [(kind: "rose", probability: 1)]"#, "plants[0].kind: unknown plant 'rose'; known: meadow-grass,"),
-        (r#"plants: [(kind: "poppy", probability: -0.1)]"#, "plants[0].probability: -0.1 is out of range"),
+        (
+            r#"plants: [(kind: "rose", probability: 1)]"#,
+            "plants[0].kind: unknown plant 'rose'; known: meadow-grass,",
+        ),
+        (
+            r#"plants: [(kind: "poppy", probability: -0.1)]"#,
+            "plants[0].probability: -0.1 is out of range",
+        ),
         (r#"plants: [(kind: "poppy", probability: NaN)]"#, "plants[0].probability: NaN"),
         (r#"plants: [(kind: "poppy", probability: 0)]"#, "plants: all probabilities are 0"),
         (r#"plants: [(kind: "poppy")]"#, "the key 'probability' is missing"),
-        (r#"plants: [(kind: "poppy", probability: 1)], garden: 0.5"#, "garden: 0.5 asks for grasses"),
-        (r#"plants: [(kind: "poppy", probability: 1)], garden: 1.5"#, "garden: 1.5 is out of range"),
+        (
+            r#"plants: [(kind: "poppy", probability: 1)], garden: 0.5"#,
+            "garden: 0.5 asks for grasses",
+        ),
+        (
+            r#"plants: [(kind: "poppy", probability: 1)], garden: 1.5"#,
+            "garden: 1.5 is out of range",
+        ),
         (r#"garden: 0.5"#, "garden: it mixes `plants`"),
-        (r#"plants: [(kind: "poppy", probability: 1)], species: [()]"#, "plants: give `plants` or `species`"),
+        (
+            r#"plants: [(kind: "poppy", probability: 1)], species: [()]"#,
+            "plants: give `plants` or `species`",
+        ),
         (r#"plants: [(kind: "poppy", probability: 1, quads: 7)]"#, "plants[0].quads: 7"),
-        (r#"plants: [(kind: "poppy", probability: 1, sizes: (0, 0, 0))]"#, "plants[0].sizes: all are 0"),
-        (r#"plants: [(kind: "poppy", probability: 1, turn_deg: (9, 3))]"#, "plants[0].turn_deg: (9, 3)"),
+        (
+            r#"plants: [(kind: "poppy", probability: 1, sizes: (0, 0, 0))]"#,
+            "plants[0].sizes: all are 0",
+        ),
+        (
+            r#"plants: [(kind: "poppy", probability: 1, turn_deg: (9, 3))]"#,
+            "plants[0].turn_deg: (9, 3)",
+        ),
     ];
     for (keys, expected) in cases {
         let text = error(&format!("(fields: [(on: Plane(), {keys})])"));

@@ -8,10 +8,12 @@ use anyhow::{Result, bail};
 use std::fmt;
 use std::io::Write;
 use std::path::PathBuf;
+use sward::Field;
 use sward_app::gpu::Gpu;
 use sward_app::grow::{GrowOptions, blade_count};
-use sward_app::quality::{Limits, PATH_STEPS, Settings, markdown, measure, plots, steps};
-use sward_app::stage::StageOptions;
+use sward_app::quality::{Limits, PATH_STEPS, Part, Settings, markdown, measure, plots, steps};
+use sward_app::stage::{StageOptions, no_culling};
+use sward_scene::Scene;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -41,6 +43,12 @@ pub struct Args {
     /// Scale the scene's densities and counts to about this many blades
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     blades: Option<u64>,
+    /// Measure these parts only
+    #[arg(long, value_enum, value_name = "PART,PART,...", value_delimiter = ',')]
+    parts: Vec<PartChoice>,
+    /// Leave a test out of the pictures that are measured; may be given several times
+    #[arg(long, value_enum, value_name = "WHAT")]
+    without: Vec<Without>,
     /// Frames of each path, of 120: fewer are runs of four neighbours, spread over the path
     #[arg(long, value_name = "N", default_value_t = Settings::default().path_frames,
           value_parser = clap::value_parser!(u32).range(2..=i64::from(PATH_STEPS)))]
@@ -57,6 +65,30 @@ pub struct Args {
     /// Fail, with exit code 1, where drift, jumps or a still camera are beyond their limits
     #[arg(long)]
     check: bool,
+}
+
+/// Parts of the measurement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum PartChoice {
+    /// The scene camera's picture
+    Flip,
+    /// Dolly, orbit and fly-down
+    Paths,
+    /// Coverage, luminance and colour against distance
+    Drift,
+    /// A camera that stands still
+    Still,
+}
+
+/// What can be left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Without {
+    /// No test culls
+    Culling,
+    /// Blades are not thinned with distance
+    Distance,
+    /// Blades seen edge-on are drawn
+    Orientation,
 }
 
 /// Limits that were exceeded, a line each.
@@ -77,25 +109,14 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     let gpu = Gpu::headless()?;
     gpu.check_size(args.size.0)?;
     let samples = gpu.choose_samples(args.samples)?;
-    let mut options = StageOptions::new(&scene, args.camera.as_deref(), args.size.0, samples)?;
-    options.technique = args.technique.map_or(options.technique, Into::into);
+    let options = options(&args, &scene, samples)?;
     prepare(&args)?;
-    let (mut fields, _) = grow_timed(&scene, &gpu, GrowOptions::default(), quiet)?;
-    if let Some(wanted) = args.blades {
-        let grown = blade_count(&fields);
-        if grown == 0 {
-            bail!("--blades: nothing grows in this scene");
-        }
-        let scale =
-            GrowOptions { density_scale: Some(wanted as f64 / grown as f64), patch_size: None };
-        drop(fields);
-        fields = grow_timed(&scene, &gpu, scale, quiet)?.0;
-    }
+    let fields = grow(&args, &scene, &gpu, quiet)?;
     tell_notes(&scene, quiet);
-    let settings = Settings { path_frames: args.frames, ..Settings::default() };
+    let settings = settings(&args);
     let (quality, pictures) = {
-        let bar = progress::bar(quiet, "measuring", steps(settings));
-        measure(&gpu, &scene, &fields, &options, settings, &|| bar.step())?
+        let bar = progress::bar(quiet, "measuring", steps(&settings));
+        measure(&gpu, &scene, &fields, &options, &settings, &|| bar.step())?
     };
     let page = markdown(&quality);
     write!(std::io::stdout(), "{page}")?;
@@ -115,6 +136,48 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
         return Err(Exceeded(exceeded).into());
     }
     Ok(())
+}
+
+fn options(args: &Args, scene: &Scene, samples: u32) -> Result<StageOptions> {
+    let mut options = StageOptions::new(scene, args.camera.as_deref(), args.size.0, samples)?;
+    options.technique = args.technique.map_or(options.technique, Into::into);
+    for without in &args.without {
+        let culling = &mut options.culling;
+        match without {
+            Without::Culling => *culling = no_culling(*culling),
+            Without::Distance => culling.distance = false,
+            Without::Orientation => culling.orientation = false,
+        }
+    }
+    Ok(options)
+}
+
+fn settings(args: &Args) -> Settings {
+    let mut settings = Settings { path_frames: args.frames, ..Settings::default() };
+    if !args.parts.is_empty() {
+        let part = |choice: &PartChoice| match choice {
+            PartChoice::Flip => Part::Flip,
+            PartChoice::Paths => Part::Paths,
+            PartChoice::Drift => Part::Drift,
+            PartChoice::Still => Part::Still,
+        };
+        settings.parts = args.parts.iter().map(part).collect();
+    }
+    settings
+}
+
+/// Grows the scene, to about as many blades as were asked for.
+fn grow(args: &Args, scene: &Scene, gpu: &Gpu, quiet: bool) -> Result<Vec<Field>> {
+    let (fields, _) = grow_timed(scene, gpu, GrowOptions::default(), quiet)?;
+    let Some(wanted) = args.blades else { return Ok(fields) };
+    let grown = blade_count(&fields);
+    if grown == 0 {
+        bail!("--blades: nothing grows in this scene");
+    }
+    drop(fields);
+    let density_scale = Some(wanted as f64 / grown as f64);
+    let scaled = GrowOptions { density_scale, ..GrowOptions::default() };
+    Ok(grow_timed(scene, gpu, scaled, quiet)?.0)
 }
 
 /// Tries the files before the work.

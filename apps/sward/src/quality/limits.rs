@@ -22,15 +22,13 @@ impl Default for Limits {
 impl Limits {
     /// A line for each limit that is exceeded.
     pub fn exceeded(&self, quality: &Quality) -> Vec<String> {
-        let drift = &quality.drift;
-        let paths =
-            [("dolly", &quality.dolly), ("orbit", &quality.orbit), ("flydown", &quality.flydown)];
-        let mut values = vec![
-            ("drift.coverage".to_string(), drift.coverage, self.drift),
-            ("drift.luminance".to_string(), drift.luminance, self.drift),
-            ("drift.colour".to_string(), drift.colour, self.drift),
-        ];
-        for (name, path) in paths {
+        let mut values = Vec::new();
+        if let Some(drift) = &quality.drift {
+            values.push(("drift.coverage".to_string(), drift.coverage, self.drift));
+            values.push(("drift.luminance".to_string(), drift.luminance, self.drift));
+            values.push(("drift.colour".to_string(), drift.colour, self.drift));
+        }
+        for (name, path) in quality.paths() {
             values.push((format!("{name}.jump"), path.jump, self.jump));
             values.push((format!("{name}.tile_jump"), path.tile_jump, self.tile_jump));
         }
@@ -40,7 +38,7 @@ impl Limits {
             .filter(|(_, value, limit)| value.is_nan() || value > limit)
             .map(|(name, value, limit)| format!("{name} is {value:.4}, above its limit {limit}"))
             .collect();
-        if !quality.still.equal {
+        if quality.still.is_some_and(|still| !still.equal) {
             lines.push("still.equal is false: frames of a still camera differ".into());
         }
         lines

@@ -24,7 +24,7 @@ use crate::stage::StageOptions;
 use anyhow::Result;
 use image::RgbImage;
 use pair::Pair;
-use paths::Paths;
+use paths::{Paths, Which};
 use serde::Serialize;
 use sward::Field;
 use sward_scene::Scene;
@@ -32,9 +32,24 @@ use sward_scene::Scene;
 /// Steps of a path: its length is that of 120 frames.
 pub const PATH_STEPS: u32 = 120;
 
+/// A part of the measurement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// The scene camera's picture.
+    Flip,
+    /// The three paths.
+    Paths,
+    /// Coverage, luminance and colour against distance.
+    Drift,
+    /// A camera that stands still.
+    Still,
+}
+
 /// What is measured, and how finely.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Settings {
+    /// Which parts.
+    pub parts: Vec<Part>,
     /// Frames drawn of each path, at most [`PATH_STEPS`]: fewer are runs of four neighbours, spread
     /// over the path.
     pub path_frames: u32,
@@ -47,11 +62,12 @@ pub struct Settings {
 impl Default for Settings {
     /// A few minutes on a software adapter.
     fn default() -> Self {
-        Self { path_frames: 32, still_frames: 30, slabs: 20 }
+        let parts = vec![Part::Flip, Part::Paths, Part::Drift, Part::Still];
+        Self { parts, path_frames: 24, still_frames: 30, slabs: 16 }
     }
 }
 
-/// All numbers of a scene.
+/// All numbers of a scene; those of parts that were left out are not there.
 #[derive(Debug, Clone, Serialize)]
 pub struct Quality {
     /// The scene's name.
@@ -71,17 +87,31 @@ pub struct Quality {
     /// Share of the paths' full length that fits the scene.
     pub path_scale: f32,
     /// FLIP of the scene's camera, haze included.
-    pub flip: SceneFlip,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flip: Option<SceneFlip>,
     /// 20 m ahead.
-    pub dolly: PathFlip,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dolly: Option<PathFlip>,
     /// A quarter turn about what is ahead.
-    pub orbit: PathFlip,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orbit: Option<PathFlip>,
     /// From 60 to 2 m over the ground.
-    pub flydown: PathFlip,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flydown: Option<PathFlip>,
     /// Against distance.
-    pub drift: Drift,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drift: Option<Drift>,
     /// A camera that stands still.
-    pub still: Still,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub still: Option<Still>,
+}
+
+impl Quality {
+    /// The paths that were measured, with the names that they have in JSON.
+    pub fn paths(&self) -> impl Iterator<Item = (&'static str, &PathFlip)> {
+        let paths = [("dolly", &self.dolly), ("orbit", &self.orbit), ("flydown", &self.flydown)];
+        paths.into_iter().filter_map(|(name, path)| Some((name, path.as_ref()?)))
+    }
 }
 
 /// FLIP over all pixels, and over those of which grass covers most.
@@ -120,9 +150,14 @@ pub struct Pictures {
 }
 
 /// Steps that [`measure`] tells of.
-pub fn steps(settings: Settings) -> u64 {
+pub fn steps(settings: &Settings) -> u64 {
     let frames = 3 * paths::frames(settings.path_frames).len() as u32;
-    u64::from(2 + frames + 2 * settings.slabs + settings.still_frames)
+    let of = |part, steps| if settings.parts.contains(&part) { steps } else { 0 };
+    u64::from(
+        2 + of(Part::Paths, frames)
+            + of(Part::Drift, 2 * settings.slabs)
+            + of(Part::Still, settings.still_frames),
+    )
 }
 
 /// Measures a scene as `options` draw it; calls `step` after each of [`steps`].
@@ -134,26 +169,30 @@ pub fn measure(
     scene: &Scene,
     fields: &[Field],
     options: &StageOptions,
-    settings: Settings,
+    settings: &Settings,
     step: &dyn Fn(),
 ) -> Result<(Quality, Pictures)> {
+    let has = |part| settings.parts.contains(&part);
     let mut pair = Pair::new(gpu, scene, fields, options)?;
     step();
     let (flip, pictures) = scene_flip(&mut pair)?;
     step();
-    let camera = &options.camera;
-    pair.look_from(camera)?;
-    let still = pair.still(settings.still_frames, step)?;
+    let still = || pair.still(settings.still_frames, step);
+    let still = has(Part::Still).then(still).transpose()?;
     pair.clear_haze();
+    let camera = &options.camera;
     let paths = Paths::new(scene, camera);
-    let mut path = |which: paths::Which| {
-        series::along(&mut pair, |t| paths.camera(which, t), settings.path_frames, step)
+    let mut path = |which: Which| {
+        let camera = |t| paths.camera(which, t);
+        let along = || series::along(&mut pair, camera, settings.path_frames, step);
+        has(Part::Paths).then(along).transpose()
     };
-    let dolly = path(paths::Which::Dolly)?;
-    let orbit = path(paths::Which::Orbit)?;
-    let flydown = path(paths::Which::FlyDown)?;
-    let views = [("camera", camera.clone()), ("above", paths.camera(paths::Which::FlyDown, 0.5))];
-    let drift = drift::measure(&mut pair, scene, options, views, settings.slabs, step)?;
+    let dolly = path(Which::Dolly)?;
+    let orbit = path(Which::Orbit)?;
+    let flydown = path(Which::FlyDown)?;
+    let views = [("camera", camera.clone()), ("above", paths.camera(Which::FlyDown, 0.5))];
+    let drift = || drift::measure(&mut pair, scene, options, views, settings.slabs, step);
+    let drift = has(Part::Drift).then(drift).transpose()?;
     let info = gpu.adapter.get_info();
     let quality = Quality {
         scene: scene.name.clone(),
@@ -164,7 +203,7 @@ pub fn measure(
         technique: format!("{:?}", options.technique).to_lowercase(),
         blades_total: crate::grow::blade_count(fields),
         path_scale: paths.scale(),
-        flip,
+        flip: has(Part::Flip).then_some(flip),
         dolly,
         orbit,
         flydown,

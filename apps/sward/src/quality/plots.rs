@@ -1,7 +1,7 @@
 //! Charts and pictures of a measurement.
 
 use super::chart::{Chart, Line};
-use super::{Limits, PathFlip, Pictures, Quality, ViewDrift};
+use super::{FrameFlip, Limits, PathFlip, Pictures, Quality, SceneFlip, ViewDrift};
 use crate::picture::{Color, Sheet, ramp};
 use glam::Vec2;
 use image::{Rgb, RgbImage};
@@ -13,23 +13,21 @@ const GREEN: Color = [40, 140, 70];
 /// Every picture, with its file's name.
 pub fn plots(quality: &Quality, pictures: &Pictures) -> Vec<(String, RgbImage)> {
     let limits = Limits::default();
-    let mut all = vec![
-        ("pictures.png".into(), sheet(quality, pictures)),
-        ("flip.png".into(), along_paths(quality, "mean FLIP", None, |p| points(p, |f| f.flip))),
-        (
-            "jumps.png".into(),
-            along_paths(quality, "jump of mean FLIP", Some(limits.jump), |path| {
-                points(path, |frame| frame.jump.unwrap_or(f32::NAN))
-            }),
-        ),
-        (
-            "tile_jumps.png".into(),
-            along_paths(quality, "jump of FLIP in tiles, 99.9 %", Some(limits.tile_jump), |path| {
-                points(path, |frame| frame.tile_jump.unwrap_or(f32::NAN))
-            }),
-        ),
-    ];
-    for view in &quality.drift.views {
+    let mut all = Vec::new();
+    if quality.flip.is_some() {
+        all.push(("pictures.png".to_string(), sheet(quality, pictures)));
+    }
+    if quality.paths().next().is_some() {
+        let flip = along_paths(quality, "mean FLIP", None, |f| Some(f.flip));
+        all.push(("flip.png".into(), flip));
+        let limit = Some(limits.jump);
+        let jumps = along_paths(quality, "jump of mean FLIP", limit, |f| f.jump);
+        all.push(("jumps.png".into(), jumps));
+        let limit = Some(limits.tile_jump);
+        let tiles = along_paths(quality, "jump of FLIP in tiles, 99.9 %", limit, |f| f.tile_jump);
+        all.push(("tile_jumps.png".into(), tiles));
+    }
+    for view in quality.drift.iter().flat_map(|drift| &drift.views) {
         let name = |what: &str| format!("{what}_{}.png", view.camera);
         let coverage = both(view, |bin| bin.coverage);
         all.push((name("coverage"), against_distance(view, "share of the picture", coverage)));
@@ -46,15 +44,15 @@ fn sheet(quality: &Quality, pictures: &Pictures) -> RgbImage {
     for (pixel, error) in errors.pixels_mut().zip(&pictures.errors) {
         *pixel = Rgb(ramp(error.sqrt()));
     }
-    let flip = quality.flip;
+    let label = |flip: SceneFlip| format!("FLIP: mean {:.3}, 99 % {:.3}", flip.mean, flip.p99);
     Sheet::new(format!("{}: {}", quality.scene, quality.technique), 1)
         .picture("reference", pictures.reference.clone())
         .picture(format!("{} samples", quality.samples), pictures.test.clone())
-        .picture(format!("FLIP: mean {:.3}, 99 % {:.3}", flip.mean, flip.p99), errors)
+        .picture(quality.flip.map(label).unwrap_or_default(), errors)
         .draw()
 }
 
-fn points(path: &PathFlip, value: impl Fn(&super::FrameFlip) -> f32) -> Vec<Vec2> {
+fn points(path: &PathFlip, value: fn(&FrameFlip) -> Option<f32>) -> Vec<Vec2> {
     let mut points: Vec<Vec2> = Vec::new();
     for frame in &path.frames {
         let x = frame.frame as f32;
@@ -62,7 +60,7 @@ fn points(path: &PathFlip, value: impl Fn(&super::FrameFlip) -> f32) -> Vec<Vec2
         if points.last().is_some_and(|last| last.x + 1.5 < x) {
             points.push(Vec2::NAN);
         }
-        points.push(Vec2::new(x, value(frame)));
+        points.push(Vec2::new(x, value(frame).unwrap_or(f32::NAN)));
     }
     points
 }
@@ -71,18 +69,19 @@ fn along_paths(
     quality: &Quality,
     title: &str,
     limit: Option<f32>,
-    points: impl Fn(&PathFlip) -> Vec<Vec2>,
+    value: fn(&FrameFlip) -> Option<f32>,
 ) -> RgbImage {
-    let line = |name: &str, color, path| Line { name: name.into(), color, points: points(path) };
+    let colored = quality.paths().zip([BLUE, ORANGE, GREEN]);
+    let line = |((name, path), color): ((&str, &PathFlip), Color)| Line {
+        name: name.into(),
+        color,
+        points: points(path, value),
+    };
     Chart {
         title: format!("{}, {}: {title}", quality.scene, quality.technique),
         along: "frame of the path".into(),
         log_x: false,
-        lines: vec![
-            line("dolly", BLUE, &quality.dolly),
-            line("orbit", ORANGE, &quality.orbit),
-            line("fly-down", GREEN, &quality.flydown),
-        ],
+        lines: colored.map(line).collect(),
         limit,
         ranges: Vec::new(),
     }

@@ -56,8 +56,8 @@ impl CameraMatrices {
 }
 
 impl FrameUniform {
-    /// In a reference, where all grass is drawn, the ground stands for none of it.
-    pub fn new(device: &wgpu::Device, scene: &Scene, light: &Light, reference: bool) -> Self {
+    /// The ground stands for no grass where `all_drawn`.
+    pub fn new(device: &wgpu::Device, scene: &Scene, light: &Light, all_drawn: bool) -> Self {
         let values = GpuStageFrame {
             clip_from_world: Mat4::IDENTITY,
             view_from_clip: Mat4::IDENTITY,
@@ -72,7 +72,7 @@ impl FrameUniform {
             haze: light.haze.extend(light.haze_per_m),
             exposure: 1.0,
             samples_a_side: 1.0,
-            stands_in: if reference { 0.0 } else { 1.0 },
+            stands_in: if all_drawn { 0.0 } else { 1.0 },
             reserved: 0.0,
         };
         let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {

@@ -93,7 +93,7 @@ impl Stage {
         if !options.haze {
             light.haze_per_m = 0.0;
         }
-        let uniform = FrameUniform::new(device, scene, &light, options.reference);
+        let uniform = FrameUniform::new(device, scene, &light, options.draws_all());
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);

@@ -63,6 +63,12 @@ impl StageOptions {
         })
     }
 
+    /// Whether all grass is drawn, or stood in for by wider blades, so that the ground need not.
+    pub(super) fn draws_all(&self) -> bool {
+        let endless = self.culling.max_distance_m.is_infinite();
+        self.reference || self.technique == Technique::Blades && endless
+    }
+
     /// The camera of the picture.
     pub(super) fn drawn_from(&self, crop: Crop) -> CameraMatrices {
         CameraMatrices::new(&self.camera, self.size, crop)

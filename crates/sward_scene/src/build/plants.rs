@@ -1,9 +1,9 @@
 //! Plants by probability, their bands, and the shade that moves over them.
 
+use crate::ShadeSettings;
 use crate::check::{Key, MAX_M, Problem};
 use crate::error::one_line;
 use crate::schema::{BandsFile, FieldFile, PlantFile, ShadeFile};
-use crate::ShadeSettings;
 use glam::Vec2;
 use sward::{Bands, Billboard, Form, Kind, Mix, Plant, Range, Sizes, Species};
 
@@ -53,7 +53,9 @@ fn kind(file: &PlantFile, key: &Key) -> Result<Kind, Problem> {
     species.form = Form::Billboard(Billboard {
         quads,
         angle_deg: key.at("angle_deg").within(angle, 0.0, 180.0)?,
-        turn_deg: key.at("turn_deg").span(file.turn_deg, |k, v| k.within(v, -36_000.0, 36_000.0))?,
+        turn_deg: key
+            .at("turn_deg")
+            .span(file.turn_deg, |k, v| k.within(v, -36_000.0, 36_000.0))?,
         sizes: sizes(file.sizes, &key.at("sizes"))?,
         wind_turn: key.at("wind_turn").within(file.wind_turn, 0.0, 4.0)?,
         wind_tint: key.at("wind_tint").within(file.wind_tint, 0.0, 1.0)?,

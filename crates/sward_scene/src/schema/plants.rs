@@ -111,11 +111,6 @@ pub struct ShadeFile {
 impl Default for ShadeFile {
     fn default() -> Self {
         let shade = sward::Shade::default();
-        Self {
-            depth: 0.6,
-            size_m: shade.size_m,
-            height_m: shade.height_m,
-            drift_mps: [1.5, 0.5],
-        }
+        Self { depth: 0.6, size_m: shade.size_m, height_m: shade.height_m, drift_mps: [1.5, 0.5] }
     }
 }
