@@ -48,6 +48,26 @@ pub fn fps(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Places from grassland, 0, to garden, 1, with commas between.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gardens(pub Vec<f32>);
+
+impl FromStr for Gardens {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let place = |part: &str| match part.trim().parse::<f32>() {
+            Ok(garden) if (0.0..=1.0).contains(&garden) => Ok(garden),
+            _ => Err(format!("'{part}' is no number from 0, grassland, to 1, garden")),
+        };
+        let places: Vec<f32> = text.split(',').map(place).collect::<Result<_, _>>()?;
+        if places.len() > 16 {
+            return Err(format!("{} places: at most 16 are drawn side by side", places.len()));
+        }
+        Ok(Self(places))
+    }
+}
+
 /// Seconds from the scene's start.
 pub fn time_s(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
@@ -85,6 +105,14 @@ mod tests {
         assert_eq!("3..7".parse(), Ok(Frames(3..7)));
         for bad in ["", "3", "3..3", "7..3", "-1..3", "a..b", "1..=3", "1...3"] {
             assert!(bad.parse::<Frames>().is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn gardens() {
+        assert_eq!("0, 0.25,1".parse(), Ok(Gardens(vec![0.0, 0.25, 1.0])));
+        for bad in ["", "0,", "1.1", "-0.5", "NaN", "0;1", &"0,".repeat(17)[..33]] {
+            assert!(bad.parse::<Gardens>().is_err(), "{bad}");
         }
     }
 

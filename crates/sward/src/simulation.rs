@@ -108,8 +108,14 @@ impl Shade {
         Err(Error::setting("light.shade.offset_m", "must be finite"))
     }
 
+    /// What `shade_pattern` of [`crate::frame::light::SHADE_WGSL`] takes: the pattern, and its offset.
+    pub fn pattern(&self) -> ([f32; 4], [f32; 2]) {
+        let pattern = [self.depth, self.size_m.recip(), self.height_m, 0.0];
+        (pattern, self.cells().as_vec2().to_array())
+    }
+
     /// The drift in cells of its noise, within the noise's period.
-    pub(crate) fn cells(&self) -> DVec2 {
+    fn cells(&self) -> DVec2 {
         let cells = self.offset_m / f64::from(self.size_m);
         cells.map(|c| c.rem_euclid(f64::from(NOISE_PERIOD)))
     }

@@ -116,6 +116,14 @@ pub struct ShadeSettings {
     pub drift_mps: glam::Vec2,
 }
 
+impl ShadeSettings {
+    /// Where it is at a time, as the library takes it.
+    pub fn at(&self, time_s: f64) -> sward::Shade {
+        let Self { depth, size_m, height_m, drift_mps } = *self;
+        sward::Shade { depth, size_m, height_m, offset_m: drift_mps.as_dvec2() * time_s }
+    }
+}
+
 /// The sun: where it stands and how bright it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SunSettings {
@@ -177,9 +185,7 @@ impl Scene {
 
     /// What moves between the field and the sun at a time, as the library takes it.
     pub fn shade_at(&self, time_s: f64) -> sward::Shade {
-        let Some(shade) = self.shade else { return sward::Shade::default() };
-        let ShadeSettings { depth, size_m, height_m, drift_mps } = shade;
-        sward::Shade { depth, size_m, height_m, offset_m: drift_mps.as_dvec2() * time_s }
+        self.shade.map_or_else(sward::Shade::default, |shade| shade.at(time_s))
     }
 
     /// Takes plants from grassland, 0, to garden, 1, in every field that has them by probability.

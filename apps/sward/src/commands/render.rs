@@ -1,9 +1,10 @@
 //! `sward render`: pictures and sequences.
 
+mod garden;
 mod look;
 
 use super::{grow_timed, load, tell, tell_notes};
-use crate::args::{self, Frames, Size};
+use crate::args::{self, Frames, Gardens, Size};
 use crate::output::{Output, write_picture};
 use crate::progress;
 use crate::states::States;
@@ -30,6 +31,7 @@ Examples:
   sward render scenes/balls.ron -o balls.mp4 --frames 0..240
   sward render scenes/balls.ron -o f/%04d.png --frames 0..240 --state-every 60
   sward render scenes/nature.ron -o levels.png --debug level
+  sward render scenes/garden.ron -o garden.png --garden 0,0.25,0.5,0.75,1
   sward render scenes/meadow.ron -o truth.png --reference";
 
 /// Render a scene to a picture, or to a sequence of them
@@ -76,6 +78,10 @@ pub struct Args {
     /// How blades are culled [default: the scene's]
     #[arg(long, value_enum)]
     culling: Option<CullingChoice>,
+    /// How far plants given by probability go from grassland, 0, to garden, 1; several with commas between
+    /// are drawn side by side [default: the scene's]
+    #[arg(long, value_name = "0..1", conflicts_with_all = ["frames"])]
+    garden: Option<Gardens>,
     /// Draw every blade at one level of detail: 0 to 3 for 8, 4, 2 or 1 segments
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=3))]
     level: Option<u8>,
@@ -117,8 +123,13 @@ pub enum CullingChoice {
 pub fn run(args: Args, quiet: bool) -> Result<()> {
     let output = Output::parse(&args.output)?;
     output.check_frames(args.frames.as_ref().map(|frames| frames.0.len()))?;
-    let scene = load(&args.scene)?;
+    let mut scene = load(&args.scene)?;
     let gpu = Gpu::headless()?;
+    match args.garden.as_ref().map(|gardens| &gardens.0[..]) {
+        None => {}
+        Some([garden]) => scene.set_garden(*garden)?,
+        Some(gardens) => return garden::run(&args, (&scene, &gpu), gardens, quiet),
+    }
     let options = options(&args, &scene, &gpu)?;
     output.prepare()?;
     let clock = Clock::new(args.fps.unwrap_or_else(|| f64::from(scene.fps)));

@@ -2,8 +2,8 @@
 
 use super::reference::Crop;
 use bytemuck::{Pod, Zeroable};
-use glam::{Mat4, Vec4};
-use sward::Light;
+use glam::{Mat4, Vec2, Vec4};
+use sward::{Light, Shade};
 use sward_scene::{Camera, Scene};
 use wgpu::util::DeviceExt;
 
@@ -26,6 +26,9 @@ pub(super) struct GpuStageFrame {
     samples_a_side: f32,
     stands_in: f32,
     reserved: f32,
+    shade: Vec4,
+    shade_offset: Vec2,
+    reserved_more: Vec2,
 }
 
 /// The frame's uniform buffer and its bind group, group 0 of every pass of the stage.
@@ -74,6 +77,9 @@ impl FrameUniform {
             samples_a_side: 1.0,
             stands_in: if all_drawn { 0.0 } else { 1.0 },
             reserved: 0.0,
+            shade: Vec4::ZERO,
+            shade_offset: Vec2::ZERO,
+            reserved_more: Vec2::ZERO,
         };
         let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("sward.stage.frame"),
@@ -104,6 +110,13 @@ impl FrameUniform {
     /// No haze from the next writing on.
     pub fn clear_haze(&mut self) {
         self.values.haze.w = 0.0;
+    }
+
+    /// What moves between the ground and the sun; written with the camera.
+    pub fn set_shade(&mut self, shade: &Shade) {
+        let (pattern, offset) = shade.pattern();
+        self.values.shade = Vec4::from(pattern);
+        self.values.shade_offset = Vec2::from(offset);
     }
 
     /// Takes effect with the next submission.
@@ -156,7 +169,10 @@ mod tests {
             exposure,
             samples_a_side,
             stands_in,
-            reserved
+            reserved,
+            shade,
+            shade_offset,
+            reserved_more
         ];
         let theirs: Vec<_> = members
             .iter()

@@ -23,6 +23,10 @@ struct GpuStageFrame {
     // 1 where ground stands for the grass that is too far to be drawn, 0 where all is drawn
     stands_in: f32,
     reserved: f32,
+    // Moving shade, as the library's
+    shade: vec4<f32>,
+    shade_offset: vec2<f32>,
+    reserved_more: vec2<f32>,
 }
 
 @group(0) @binding(0) var<uniform> frame: GpuStageFrame;

@@ -34,7 +34,7 @@ use options::view;
 use passes::Passes;
 use reference::{Crop, Supersampled};
 use sward::{Field, Frame, Light, Renderer, Statistics, Wind};
-use sward_scene::{Scene, SceneWind};
+use sward_scene::{Scene, SceneWind, ShadeSettings};
 use targets::Targets;
 
 /// A scene with its grass, ready to be stepped and drawn.
@@ -50,6 +50,7 @@ pub struct Stage {
     wind: Wind,
     wind_paths: Vec<SceneWind>,
     light: Light,
+    shade: Option<ShadeSettings>,
     gravity: sward::Gravity,
     movers: Movers,
     time_s: f64,
@@ -111,6 +112,7 @@ impl Stage {
             wind: Wind::new(scene.wind_at(-warm_up_s))?,
             wind_paths: scene.wind.clone(),
             light,
+            shade: scene.shade,
             gravity: scene.gravity,
             movers,
             time_s: -warm_up_s,
@@ -205,6 +207,15 @@ impl Stage {
         self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(self.time_s)).collect();
         self.wind.advance(dt_s);
         self.movers.advance(self.time_s);
+        self.drift_shade();
+    }
+
+    /// Moves what is between the field and the sun.
+    fn drift_shade(&mut self) {
+        let Some(shade) = &self.shade else { return };
+        self.light.shade = shade.at(self.time_s);
+        self.uniform.set_shade(&self.light.shade);
+        self.write_camera();
     }
 
     /// Records the depth of the opaque things, unless it is there already.

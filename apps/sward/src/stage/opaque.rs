@@ -6,6 +6,7 @@ use super::meshes::{self, GpuMesh, GpuPlacement, VERTEX_BUFFERS};
 use super::movers::Movers;
 use super::texture::{self, Uploader};
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
+use sward::frame::light::SHADE_WGSL;
 use sward_scene::Scene;
 
 /// Draws objects, and all that moves.
@@ -96,8 +97,11 @@ fn pipeline(
     colored: bool,
 ) -> wgpu::RenderPipeline {
     let label = "sward.stage.opaque";
-    let shader =
-        super::shader(device, label, &[include_str!("ground.wgsl"), include_str!("opaque.wgsl")]);
+    let shader = super::shader(
+        device,
+        label,
+        &[SHADE_WGSL, include_str!("ground.wgsl"), include_str!("opaque.wgsl")],
+    );
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(label),
         bind_group_layouts: &[Some(frame), Some(texture)],

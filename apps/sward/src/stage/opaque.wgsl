@@ -97,9 +97,11 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
     let ambient = mix(frame.ground.rgb, frame.sky.rgb, n.y * 0.5 + 0.5);
     // Blades stand across the ground: the canopy is lit from the side too.
     let received = mix(lit, 0.35 + 0.65 * lit, canopy * smoothstep(-0.3, 0.2, dot(n, l)));
-    var color = albedo * (frame.sun.rgb * received / PI + ambient);
+    let shaded = shade_pattern(in.world, l, frame.shade, frame.shade_offset);
+    let sun = frame.sun.rgb * (1.0 - shaded);
+    var color = albedo * (sun * received / PI + ambient);
     if in.grass.w < 0.0 {
-        color += frame.sun.rgb * lit * gloss(n, v, l, in.material.w);
+        color += sun * lit * gloss(n, v, l, in.material.w);
     }
     let clear = exp(-frame.haze.w * distance(frame.eye.xyz, in.world));
     // Below 0: ground that stands for grass, and how much of it does

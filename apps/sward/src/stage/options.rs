@@ -3,7 +3,7 @@
 use super::frame::CameraMatrices;
 use super::reference::Crop;
 use anyhow::Result;
-use sward::{ColorRange, Culling, DebugView, Observer, PhysicsModel, Technique, View};
+use sward::{Bands, ColorRange, Culling, DebugView, Observer, PhysicsModel, Technique, View};
 use sward_scene::{Camera, Scene};
 
 /// How a scene is drawn.
@@ -19,6 +19,8 @@ pub struct StageOptions {
     pub physics: PhysicsModel,
     /// Which forms plants are drawn in.
     pub technique: Technique,
+    /// Where plants of quads change their form.
+    pub bands: Bands,
     /// How blades are culled.
     pub culling: Culling,
     /// All blades, with all segments, none culled, 64 samples a pixel averaged in linear light.
@@ -51,6 +53,7 @@ impl StageOptions {
             camera: scene.camera(camera)?.clone(),
             physics: scene.physics,
             technique: scene.technique,
+            bands: scene.bands,
             culling: scene.culling,
             reference: false,
             reference_in_view: false,
@@ -92,6 +95,7 @@ pub(super) fn view<'a>(
     let mut view = View::new(camera.view_from_world, camera.clip_from_view, size);
     view.opaque_depth = Some(opaque_depth);
     view.technique = options.technique;
+    view.bands = options.bands;
     view.culling = options.culling;
     view.level = options.level;
     view.debug = options.debug;

@@ -154,7 +154,7 @@ fn at_most(what: &str, limit: &'static str, asked: usize, available: usize) -> R
 fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, chunks: ChunkCounts) -> GpuFrame {
     let with = |v: Vec3, w: f32| v.extend(w).to_array();
     let (gravity, light) = (&frame.gravity, &frame.light);
-    let shade_cells = light.shade.cells();
+    let (shade, [shade_x, shade_y]) = light.shade.pattern();
     GpuFrame {
         gravity_direction: with(gravity.direction.normalize_or_zero(), gravity.strength),
         gravity_center: with(gravity.center, gravity.center_strength),
@@ -163,7 +163,7 @@ fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, chunks: ChunkCounts) -> 
         sky: with(light.sky, 0.0),
         ground: with(light.ground, 0.0),
         haze: with(light.haze, light.haze_per_m),
-        shade: [light.shade.depth, light.shade.size_m.recip(), light.shade.height_m, 0.0],
+        shade,
         dt_s: clock.dt_s(),
         gravity_blend: gravity.blend,
         crush_decay: CRUSH_DECAY,
@@ -177,7 +177,7 @@ fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, chunks: ChunkCounts) -> 
         ticks: clock.ticks(),
         resting_chunks: chunks.resting,
         keep_resting: chunks.keep_resting.into(),
-        shade_x: shade_cells.x as f32,
-        shade_y: shade_cells.y as f32,
+        shade_x,
+        shade_y,
     }
 }

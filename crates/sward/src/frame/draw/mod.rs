@@ -3,6 +3,8 @@
 pub(crate) mod lobes_twin;
 pub(crate) mod mesh;
 pub(crate) mod pipelines;
+#[cfg(test)]
+pub(crate) mod quads_twin;
 pub(crate) mod topology;
 
 use crate::Targets;

@@ -33,7 +33,8 @@ struct QuadPoint {
 }
 
 // The plant bends as a blade does, equation 21 of J, and turns about its up direction, the more the
-// higher, by `twist` at its top. `u` is across, 0 to 1, `v` up; size is width and height in metres.
+// higher, by `twist` at its top. `u` is across, 0 to 1, `v` the
+// share of the height; size is width and height in metres.
 fn quad_point(
     blade: Blade,
     tip: vec3<f32>,
@@ -44,10 +45,12 @@ fn quad_point(
     v: f32,
 ) -> QuadPoint {
     let knee = middle_point(tip, blade.up, blade.arch);
-    let a = knee * v;
-    let b = mix(knee, tip, v);
+    // Upright, the curve is at 2t - t t of its height: so a picture is not stretched where it bends
+    let t = 1.0 - sqrt(clamp(1.0 - v, 0.0, 1.0));
+    let a = knee * t;
+    let b = mix(knee, tip, t);
     var point: QuadPoint;
-    point.center = blade.root + mix(a, b, v) * size.y;
+    point.center = blade.root + mix(a, b, t) * size.y;
     point.along = unit_or(b - a, blade.up);
     let angle = turn + twist * v;
     let level = cross(blade.up, blade.facing) * cos(angle) - blade.facing * sin(angle);

@@ -2,6 +2,8 @@
 //! where they are less than a pixel wide. WGSL functions that `update` and `draw` call.
 
 #[cfg(test)]
+pub(crate) mod bands_twin;
+#[cfg(test)]
 pub(crate) mod twin;
 
 /// A quarter of this projected height, pixels, ends the first level; a quarter of that the next.

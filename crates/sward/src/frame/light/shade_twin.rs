@@ -4,7 +4,6 @@ use crate::shared::noise_twin::{noise2, smoothstep};
 use glam::{DVec2, DVec3};
 
 /// Share of the sun kept away: `pattern` is depth, cells a metre, height.
-#[allow(dead_code)]
 pub(crate) fn shade_pattern(place: DVec3, to_sun: DVec3, pattern: [f64; 3], offset: DVec2) -> f64 {
     let [depth, frequency, height] = pattern;
     let along = (height - place.y) / to_sun.y.max(0.1);
