@@ -38,6 +38,7 @@ scenes! {
     minimal [],
     mobius [],
     nature [],
+    plain [],
     planet [],
     reference [],
     shapes [],

@@ -82,7 +82,10 @@ mod tests {
             let (turn, _) = quad_of(quad, 3, PI / 3.0, 0.0);
             let corner = |u, v| upright().corner(turn, u, v) - upright().root;
             assert!(corner(0.5, 0.0).length() < 1e-12);
-            assert!((corner(0.5, 0.3).y - 0.18).abs() < 1e-12, "upright, pictures are not stretched");
+            assert!(
+                (corner(0.5, 0.3).y - 0.18).abs() < 1e-12,
+                "upright, pictures are not stretched"
+            );
             for u in [0.0, 1.0] {
                 assert!(corner(u, 0.0).y.abs() < 1e-12 && (corner(u, 1.0).y - 0.6).abs() < 1e-12);
                 assert!((corner(u, 0.7).with_y(0.0).length() - 0.2).abs() < 1e-12);
