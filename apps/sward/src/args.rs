@@ -76,6 +76,14 @@ pub fn time_s(text: &str) -> Result<f64, String> {
     }
 }
 
+/// An angle.
+pub fn degrees(text: &str) -> Result<f32, String> {
+    match text.parse::<f32>() {
+        Ok(angle) if (-3600.0..=3600.0).contains(&angle) => Ok(angle),
+        _ => Err("the angle is a number of degrees from -3600 to 3600".into()),
+    }
+}
+
 /// clap's message without its usage and hints, in one line, without the leading `error:`.
 pub fn one_line(error: &clap::Error) -> String {
     if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {

@@ -34,6 +34,7 @@ Examples:
   sward render scenes/meadow.ron -o meadow.png
   sward render scenes/meadow.ron --frames 0..120 -o f/%04d.png
   sward wind scenes/helicopter.ron -o wind.png
+  sward texture poppy -o poppy.png
   sward bench scenes/reference.ron --json bench.json
   sward paper -o paper
   sward quality scenes/reference.ron --json quality.json

@@ -3,7 +3,7 @@
 
 use crate::video::Format;
 use anyhow::{Context, Result, bail};
-use image::RgbImage;
+use image::{RgbImage, RgbaImage};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -160,6 +160,16 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
 /// # Errors
 /// Where it cannot be written; then there is no new file.
 pub fn write_picture(path: &Path, picture: &RgbImage) -> Result<()> {
+    let mut bytes = Vec::new();
+    picture.write_with_encoder(image::codecs::png::PngEncoder::new(&mut bytes))?;
+    write_file(path, &bytes)
+}
+
+/// Writes a picture with alpha as PNG.
+///
+/// # Errors
+/// Where it cannot be written; then there is no new file.
+pub fn write_texture(path: &Path, picture: &RgbaImage) -> Result<()> {
     let mut bytes = Vec::new();
     picture.write_with_encoder(image::codecs::png::PngEncoder::new(&mut bytes))?;
     write_file(path, &bytes)

@@ -206,3 +206,28 @@ fn maps_of_wind() {
     wind(&["-o", "file.txt/a.png"], "file.txt");
     refused(&["wind", "missing.ron", "-o", "a.png"], "missing.ron");
 }
+
+#[test]
+fn textures() {
+    let paint = |extra: &[&str], cause| refused(&[&["texture"], extra].concat(), cause);
+    paint(&["poppy"], "--output");
+    paint(&["rose", "-o", "a.png"], "no plant 'rose'; there are: meadow-grass, ");
+    paint(&["poppy", "-o", "a.jpg"], ".png");
+    paint(&["poppy", "-o", "%04d.png"], "a texture is one picture");
+    paint(&["poppy", "-o", "file.txt/a.png"], "file.txt");
+    paint(&["poppy", "-o", "a.png", "--normal", "n.jpg"], "--normal n.jpg");
+    paint(&["poppy", "-o", "a.png", "--mips", "--normal", "n.png"], "--normal");
+    for size in ["0", "1", "5000", "-3", "x"] {
+        paint(&["poppy", "-o", "a.png", &format!("--size={size}")], "--size");
+    }
+    for seed in ["-1", "x", "1.5"] {
+        paint(&["poppy", "-o", "a.png", &format!("--seed={seed}")], "--seed");
+    }
+    for turned in ["NaN", "inf", "x"] {
+        paint(&["poppy", "-o", "a.png", "--turned", turned], "--turned");
+    }
+    paint(&["strip", "-o", "a.png", "--above"], "--above");
+    paint(&["atlas", "-o", "a.png", "--mips"], "--mips");
+    paint(&["atlas", "-o", "a.png", "--size", "8"], "--size 8");
+    paint(&["poppy", "-o", "a.png", "--mips", "--size", "2048"], "--size 2048");
+}

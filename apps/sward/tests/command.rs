@@ -22,7 +22,9 @@ fn render(folder: &Folder, extra: &[&str]) -> String {
 #[test]
 fn help_has_examples() {
     let folder = Folder::new();
-    for command in ["render", "bench", "check", "compare", "info", "paper", "quality", "wind"] {
+    let commands =
+        ["render", "bench", "check", "compare", "info", "paper", "quality", "texture", "wind"];
+    for command in commands {
         let help = succeeds(&folder, &[command, "--help"]);
         assert!(help.contains("Examples:"), "{help}");
         assert!(help.contains(&format!("sward {command}")), "{help}");
@@ -178,4 +180,29 @@ fn wind_is_drawn_from_above() {
     let (now, later) = (open("maps/wind.png"), open("later.png"));
     assert_eq!(now.dimensions(), (320, 180));
     assert_ne!(now, later);
+}
+
+#[test]
+fn textures_are_painted() {
+    let folder = Folder::new();
+    let said = succeeds(&folder, &["texture", "daisy", "-o", "new/daisy.png", "--size", "96"]);
+    assert_eq!(said, "new/daisy.png: 96 x 96\n");
+    let daisy = image::open(folder.path("new/daisy.png")).unwrap().into_rgba8();
+    assert_eq!(daisy.dimensions(), (96, 96));
+    assert!(daisy.pixels().any(|p| p.0[3] == 0) && daisy.pixels().any(|p| p.0[3] == 255));
+    let base = ["texture", "daisy", "--size", "96", "-o", "b.png"];
+    succeeds(&folder, &[&base[..], &["--normal", "n.png", "--seed", "0"]].concat());
+    let bytes = |name: &str| std::fs::read(folder.path(name)).unwrap();
+    assert!(bytes("b.png") == bytes("new/daisy.png"), "the same seed, the same picture");
+    assert!(image::open(folder.path("n.png")).unwrap().to_rgb8().pixels().any(|p| p.0[0] > 200));
+    for extra in [&["--seed", "1"][..], &["--above"], &["--turned", "-60"]] {
+        succeeds(&folder, &[&base[..], extra].concat());
+        assert!(bytes("b.png") != bytes("new/daisy.png"), "{extra:?}");
+    }
+    succeeds(&folder, &["texture", "strip", "-o", "strip.png", "--size", "64"]);
+    let said = succeeds(&folder, &["texture", "atlas", "-o", "atlas.png", "--size", "64"]);
+    assert!(said.contains("8 plants"), "{said}");
+    succeeds(&folder, &["texture", "fine-grass", "-o", "mips.png", "--mips", "--size", "64"]);
+    let atlas = image::open(folder.path("atlas.png")).unwrap();
+    assert!(atlas.width() > 3 * 96 && atlas.height() > 3 * 64);
 }

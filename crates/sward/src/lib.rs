@@ -90,7 +90,6 @@ pub mod frame;
 mod gpu;
 pub mod grow;
 pub mod mix;
-#[allow(dead_code)]
 pub mod plants;
 pub mod renderer;
 pub mod shared;

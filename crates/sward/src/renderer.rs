@@ -12,7 +12,9 @@ use crate::gpu::limits;
 use crate::gpu::page::Page;
 use crate::gpu::quantize::species_table;
 use crate::gpu::statistics::{PageCounts, ReadBack};
+use crate::gpu::uploads::Upload;
 use crate::gpu::view::{check_view, gpu_view};
+use crate::plants::layers::PlantLayers;
 use crate::{Error, Field, Frame, PhysicsModel, Statistics, Technique, View};
 
 mod clock;
@@ -92,6 +94,8 @@ pub struct Renderer {
     pages: Vec<Page>,
     totals: Statistics,
     read_back: ReadBack,
+    /// Content of pictures that the next frame sends.
+    uploads: Vec<Upload>,
 }
 
 impl Renderer {
@@ -117,6 +121,7 @@ impl Renderer {
             pages: Vec::new(),
             totals: Statistics::default(),
             read_back: ReadBack::default(),
+            uploads: Vec::new(),
             layouts,
         })
     }
@@ -147,11 +152,23 @@ impl Renderer {
         let patches_a_page = (limits::page_blades(&available, field.patch_size())
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
-        let species = species_table(field);
+        let plants = PlantLayers::new(field.species().iter().filter_map(|s| s.form.look()));
+        plants.check(&available)?;
+        let species = species_table(field, &plants);
+        let (pictures, uploads) = self.layouts.no_pictures.of_plants(device, &plants);
+        self.uploads.extend(uploads);
         for first in (0..patch_count).step_by(patches_a_page.max(1)) {
             let range = first..(first + patches_a_page).min(patch_count);
             let ticks = self.clock.ticks();
-            let page = Page::new(device, &self.layouts, field, &species, range, self.model, ticks);
+            let page = Page::new(
+                device,
+                &self.layouts,
+                (field, &pictures),
+                &species,
+                range,
+                self.model,
+                ticks,
+            );
             self.pages.push(page);
         }
         self.inputs.forget_lists();
@@ -173,6 +190,7 @@ impl Renderer {
         frame: &Frame,
     ) -> Result<(), Error> {
         let lists = inputs::check(device, frame)?;
+        self.send_pictures(encoder);
         if frame.physics != self.model {
             self.model = frame.physics;
             for page in &self.pages {
@@ -186,6 +204,10 @@ impl Renderer {
             self.wake_touched(device, encoder);
         }
         Ok(())
+    }
+
+    fn send_pictures(&mut self, encoder: &mut wgpu::CommandEncoder) {
+        self.uploads.drain(..).for_each(|upload| upload.record(encoder));
     }
 
     /// Lists the colliders near each patch and moves the blades of the patches that moving ones touch.
@@ -247,6 +269,7 @@ impl Renderer {
         view: &View,
     ) -> Result<(), Error> {
         check_view(view)?;
+        self.send_pictures(encoder);
         for page in 0..self.pages.len() {
             // Views are numbered without gaps
             for earlier in self.pages[page].views.len()..index {

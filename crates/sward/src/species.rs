@@ -1,7 +1,7 @@
 //! Species: what one kind of plant is.
 
 use crate::error::{above_zero, within};
-use crate::{Billboard, Error};
+use crate::{Billboard, Error, Look};
 
 /// Longest and widest blade, metres.
 const LARGEST_M: f32 = 1000.0;
@@ -84,6 +84,14 @@ impl Form {
             Self::Blade => 0,
             Self::Strip(_) => 1,
             Self::Billboard(_) => 2,
+        }
+    }
+
+    /// What is painted or given for it; none for blades, and for strips of the library's own texture.
+    pub(crate) fn look(&self) -> Option<&Look> {
+        match self {
+            Self::Blade | Self::Strip(_) => None,
+            Self::Billboard(billboard) => Some(&billboard.look),
         }
     }
 }

@@ -3,6 +3,7 @@
 mod colors;
 mod fields;
 mod inside;
+mod pictures;
 pub(crate) mod plants;
 mod settings;
 mod views;
@@ -113,12 +114,13 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
             desc.density_map = Some(mask);
         }
         let (name, key) = (field_name(field, index), Key::list("fields", index));
-        let mix = plants::mix(field, &key).map_err(|problem| context.error(problem))?;
+        let mix = plants::mix(context, field, &key)?;
         if let Some(mix) = &mix {
             let mixed = plants::mixed(mix, &key).map_err(|problem| context.error(problem))?;
             if let Some(note) = mixed.note {
                 context.note(format!("field '{name}': {note}"));
             }
+            desc.species = mixed.species;
         }
         fields.push(SceneField { name, object, surface, desc, mix });
     }

@@ -7,6 +7,7 @@ mod info;
 mod paper;
 mod quality;
 mod render;
+mod texture;
 mod wind;
 
 use crate::progress;
@@ -31,6 +32,7 @@ pub enum Command {
     Info(info::Args),
     Paper(paper::Args),
     Quality(quality::Args),
+    Texture(texture::Args),
     Wind(wind::Args),
 }
 
@@ -44,6 +46,7 @@ pub fn run(command: Command, quiet: bool) -> Result<()> {
         Command::Info(args) => info::run(args),
         Command::Paper(args) => paper::run(args, quiet),
         Command::Quality(args) => quality::run(args, quiet),
+        Command::Texture(args) => texture::run(args, quiet),
         Command::Wind(args) => wind::run(args, quiet),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::mips::Chain;
 use super::raster::Texel;
-use wgpu::COPY_BYTES_PER_ROW_ALIGNMENT;
+use crate::gpu::uploads::Upload;
 
 /// Pictures of one size, as a texture array takes them.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -33,6 +33,7 @@ pub(crate) fn thin_of(texel: &Texel) -> [f32; 4] {
     [x, y, z, 1.0 / (1.0 + texel.thickness.max(0.0))]
 }
 
+#[cfg(test)]
 fn level_size(size: [u32; 2], level: usize) -> [u32; 2] {
     size.map(|n| (n >> level).max(1))
 }
@@ -68,13 +69,12 @@ impl Layers {
         &self.levels[level][layer as usize * texels..][..texels]
     }
 
-    /// Makes the texture, and records its content into `encoder`.
-    pub(crate) fn upload(
+    /// Makes the texture, and what fills it.
+    pub(crate) fn texture(
         &self,
         device: &wgpu::Device,
-        encoder: &mut wgpu::CommandEncoder,
         label: &str,
-    ) -> wgpu::TextureView {
+    ) -> (wgpu::TextureView, Vec<Upload>) {
         use wgpu::TextureUsages as U;
         let [width, height] = self.size;
         let texture = device.create_texture(&wgpu::TextureDescriptor {
@@ -87,55 +87,16 @@ impl Layers {
             usage: U::TEXTURE_BINDING | U::COPY_DST | U::COPY_SRC,
             view_formats: &[],
         });
-        for (level, texels) in self.levels.iter().enumerate() {
-            copy_level(device, encoder, &texture, level, (level_size(self.size, level), texels));
-        }
-        texture.create_view(&wgpu::TextureViewDescriptor {
+        let upload = |(level, texels): (u32, &Vec<[u8; 4]>)| {
+            Upload::new(device, &texture, level, (bytemuck::cast_slice(texels), 4))
+        };
+        let uploads = (0..).zip(&self.levels).map(upload).collect();
+        let view = texture.create_view(&wgpu::TextureViewDescriptor {
             dimension: Some(wgpu::TextureViewDimension::D2Array),
             ..Default::default()
-        })
+        });
+        (view, uploads)
     }
-}
-
-/// Records one level's content: its size, and its texels.
-fn copy_level(
-    device: &wgpu::Device,
-    encoder: &mut wgpu::CommandEncoder,
-    texture: &wgpu::Texture,
-    mip_level: usize,
-    ([width, height], texels): ([u32; 2], &[[u8; 4]]),
-) {
-    use wgpu::util::DeviceExt;
-    // Rows of a copy begin at multiples of 256 bytes
-    let row = (width * 4).next_multiple_of(COPY_BYTES_PER_ROW_ALIGNMENT);
-    let mut bytes = Vec::with_capacity(texels.len() / width as usize * row as usize);
-    for line in texels.chunks_exact(width as usize) {
-        bytes.extend_from_slice(bytemuck::cast_slice(line));
-        bytes.resize(bytes.len().next_multiple_of(row as usize), 0);
-    }
-    let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-        label: Some("sward.layers"),
-        contents: &bytes,
-        usage: wgpu::BufferUsages::COPY_SRC,
-    });
-    let layers = texels.len() as u32 / (width * height);
-    encoder.copy_buffer_to_texture(
-        wgpu::TexelCopyBufferInfo {
-            buffer: &buffer,
-            layout: wgpu::TexelCopyBufferLayout {
-                offset: 0,
-                bytes_per_row: Some(row),
-                rows_per_image: Some(height),
-            },
-        },
-        wgpu::TexelCopyTextureInfo {
-            texture,
-            mip_level: mip_level as u32,
-            origin: wgpu::Origin3d::ZERO,
-            aspect: wgpu::TextureAspect::All,
-        },
-        wgpu::Extent3d { width, height, depth_or_array_layers: layers },
-    );
 }
 
 #[cfg(test)]
@@ -183,7 +144,8 @@ mod tests {
         let chains = shades.map(|shade| chain(tile([32, 16], shade), 1.0));
         let layers = Layers::new(&chains, color_of);
         let mut encoder = device.create_command_encoder(&Default::default());
-        let view = layers.upload(&device, &mut encoder, "test");
+        let (view, uploads) = layers.texture(&device, "test");
+        uploads.iter().for_each(|upload| upload.record(&mut encoder));
         let row = 256_u64;
         for level in 0..layers.levels.len() {
             let [width, height] = level_size(layers.size, level);

@@ -20,6 +20,8 @@ pub enum Kind {
     },
     /// Colour pictures in layers, filtered.
     Pictures,
+    /// Whole numbers in a texture, read texel by texel.
+    Words,
     /// Filtering sampler.
     Sampler,
 }
@@ -45,6 +47,11 @@ impl Kind {
             Self::Pictures => BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Float { filterable: true },
                 view_dimension: wgpu::TextureViewDimension::D2Array,
+                multisampled: false,
+            },
+            Self::Words => BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Uint,
+                view_dimension: wgpu::TextureViewDimension::D2,
                 multisampled: false,
             },
             Self::Sampler => BindingType::Sampler(wgpu::SamplerBindingType::Filtering),

@@ -2,7 +2,7 @@
 
 use super::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET};
 use super::quantize::has_flat_tip;
-use crate::{Form, Species, Technique};
+use crate::{Form, Look, Species, Technique};
 
 /// A set of buckets.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -27,10 +27,12 @@ impl Buckets {
     fn bands(species: &[Species]) -> Self {
         let of_quads = |s: &&Species| matches!(s.form, Form::Billboard(_));
         let blades = Self::blades(species.iter().filter(|s| !of_quads(s)));
+        let modelled = |s: &Species| matches!(s.form.look(), Some(Look::Plant(_)));
         let [middle, far] = BILLBOARD_BUCKETS;
-        let plants = [middle, far, MODEL_BUCKET];
-        let plants = plants.iter().fold(0, |all, bucket| all | 1 << bucket);
-        Self(blades.0 | if species.iter().any(|s| of_quads(&s)) { plants } else { 0 })
+        let any_quads = species.iter().any(|s| of_quads(&s));
+        let quads = if any_quads { 1 << middle | 1 << far } else { 0 };
+        let models = if species.iter().any(modelled) { 1 << MODEL_BUCKET } else { 0 };
+        Self(blades.0 | quads | models)
     }
 
     /// Of these, those of single blades.

@@ -12,6 +12,7 @@ pub mod quantize;
 pub mod read;
 pub mod shaders;
 pub mod statistics;
+pub mod uploads;
 pub mod view;
 
 #[cfg(test)]

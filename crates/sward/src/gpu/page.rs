@@ -186,6 +186,7 @@ fn draw_group(
         Sampler(&pictures.sampler),
         bands.as_entire_binding(),
         pictures.surfels.as_entire_binding(),
+        TextureView(&pictures.plant_models),
     ]);
     bindings::group(device, "sward.draw_field", &layouts.draw_field, &resources)
 }
@@ -195,7 +196,7 @@ impl Page {
     pub fn new(
         device: &wgpu::Device,
         layouts: &Layouts,
-        field: &Field,
+        (field, pictures): (&Field, &Pictures),
         species: &[GpuSpecies],
         patch_range: std::ops::Range<usize>,
         model: PhysicsModel,
@@ -240,7 +241,7 @@ impl Page {
                 tinted: !field.tints().is_empty(),
             },
             group: bindings::buffers(device, "sward.field", &layouts.field, &shared),
-            draw_group: draw_group(device, layouts, drawn, &layouts.no_pictures),
+            draw_group: draw_group(device, layouts, drawn, pictures),
             collide: bindings::buffers(
                 device,
                 "sward.collide",

@@ -2,6 +2,8 @@
 //! draw group holds beside its buffers.
 
 use super::buffers::uniform;
+use super::uploads::Upload;
+use crate::plants::layers::{MODEL_POINTS, PlantLayers};
 
 /// Bytes of the clusters' surfels.
 pub const SURFELS_BYTES: u64 = 1024;
@@ -17,6 +19,8 @@ pub struct Pictures {
     pub plant_color: wgpu::TextureView,
     /// Normal, and how much light passes.
     pub plant_normal: wgpu::TextureView,
+    /// Points of modelled plants, a row a variant.
+    pub plant_models: wgpu::TextureView,
     /// Trilinear.
     pub sampler: wgpu::Sampler,
     /// Representatives of the clusters' surface.
@@ -40,7 +44,39 @@ fn blank(device: &wgpu::Device) -> wgpu::TextureView {
     })
 }
 
+/// A table of so many variants' points.
+fn models(device: &wgpu::Device, rows: u32) -> (wgpu::Texture, wgpu::TextureView) {
+    let texture = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("sward.plant_models"),
+        size: wgpu::Extent3d { width: MODEL_POINTS, height: rows, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba32Uint,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    });
+    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    (texture, view)
+}
+
 impl Pictures {
+    /// Those of a field's plants, and what fills them.
+    pub fn of_plants(&self, device: &wgpu::Device, plants: &PlantLayers) -> (Self, Vec<Upload>) {
+        let (plant_color, mut uploads) = plants.color.texture(device, "sward.plant_color");
+        let (plant_normal, more) = plants.normal.texture(device, "sward.plant_normal");
+        uploads.extend(more);
+        let mut pictures = Self { plant_color, plant_normal, ..self.clone() };
+        let rows = plants.models.len() as u32 / MODEL_POINTS;
+        if rows > 0 {
+            let (texture, view) = models(device, rows);
+            let points = bytemuck::cast_slice(&plants.models);
+            uploads.push(Upload::new(device, &texture, 0, (points, 16)));
+            pictures.plant_models = view;
+        }
+        (pictures, uploads)
+    }
+
     /// One texel each: for fields that need none.
     pub fn none(device: &wgpu::Device) -> Self {
         let texture = blank(device);
@@ -49,6 +85,7 @@ impl Pictures {
             cluster_shape: texture.clone(),
             plant_color: texture.clone(),
             plant_normal: texture,
+            plant_models: models(device, 1).1,
             sampler: device.create_sampler(&wgpu::SamplerDescriptor {
                 label: Some("sward.pictures"),
                 mag_filter: wgpu::FilterMode::Linear,

@@ -1,9 +1,10 @@
 //! Blades, species and patches to their GPU form, and a blade back again.
 
 use super::layout::{GpuPatch, GpuSpecies, MAX_SPECIES};
-use crate::Field;
 use crate::grow::{Blade, Patch};
+use crate::plants::layers::{LayerRange, PlantLayers};
 use crate::species::{Form, Range, Shape, Species};
+use crate::{Field, Look};
 use bytemuck::Zeroable;
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
@@ -178,18 +179,23 @@ fn root_openness(leaf_area_index: f32) -> f32 {
 }
 
 /// The species table of a field.
-pub fn species_table(field: &Field) -> Vec<GpuSpecies> {
+pub fn species_table(field: &Field, plants: &PlantLayers) -> Vec<GpuSpecies> {
     let leaf_area = leaf_area_index(field.blades(), field.patches());
     let tint = field.tint_mix();
-    let entry = |species| gpu_species(species, leaf_area, tint);
+    let entry = |species| gpu_species(species, plants, leaf_area, tint);
     let mut table: Vec<_> = field.species().iter().map(entry).collect();
     table.resize(MAX_SPECIES, GpuSpecies::zeroed());
     table
 }
 
-/// A species' table entry, in a field of that leaf area index, which takes so much of its surface's
+/// A species' table entry, in a field of those pictures and that leaf area index, which takes so much of its surface's
 /// colour.
-fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies {
+fn gpu_species(
+    species: &Species,
+    plants: &PlantLayers,
+    leaf_area_index: f32,
+    tint: f32,
+) -> GpuSpecies {
     let range = |r: Range| [r.min, r.max - r.min];
     let full = outline_area(species.shape, 256);
     let (shape, tip) = match species.shape {
@@ -200,7 +206,7 @@ fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies
         Shape::Dandelion => (4.0, 0.5),
     };
     let (root, top) = (species.root_color, species.tip_color);
-    let (look, look_values) = species_look(species);
+    let (look, look_values) = species_look(species, plants);
     GpuSpecies {
         height: range(species.height_m),
         width: range(species.width_m),
@@ -221,15 +227,23 @@ fn gpu_species(species: &Species, leaf_area_index: f32, tint: f32) -> GpuSpecies
     }
 }
 
+/// Set in `look.w` where near plants are drawn as models.
+pub const MODELLED: u32 = 0x100;
+
 /// `look` and `look_values` of a species.
-fn species_look(species: &Species) -> ([u32; 4], [f32; 4]) {
+fn species_look(species: &Species, plants: &PlantLayers) -> ([u32; 4], [f32; 4]) {
     let form = species.form.number();
+    let LayerRange { first, count } = match species.form.look() {
+        Some(look) => plants.range(look),
+        None => plants.strip(),
+    };
     match &species.form {
         Form::Billboard(b) => {
+            let modelled = if matches!(b.look, Look::Plant(_)) { MODELLED } else { 0 };
             let values = [b.angle_deg.to_radians(), b.wind_turn, b.wind_tint, b.absorption];
-            ([form, 0, 0, b.quads], values)
+            ([form, first, count, b.quads | modelled], values)
         }
-        _ => ([form, 0, 0, 0], [0.0; 4]),
+        _ => ([form, first, count, 0], [0.0; 4]),
     }
 }
 

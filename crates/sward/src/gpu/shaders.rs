@@ -53,6 +53,8 @@ const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
 const BLADE_POINT: &str = part!("frame/draw/blade_point.wgsl");
 const DRAW: &str = part!("frame/draw/draw.wgsl");
+const LOOK: &str = part!("frame/draw/look.wgsl");
+const MODEL: &str = part!("frame/draw/model.wgsl");
 
 /// One shader module of the library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,6 +75,8 @@ pub enum Shader {
     Draw,
     /// Blades with lobes.
     DrawLobed,
+    /// Modelled plants.
+    DrawModel,
     /// Plants as quads.
     DrawBillboard,
     /// Why each blade is drawn or not, reading a single-sampled depth.
@@ -85,7 +89,7 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -94,6 +98,7 @@ impl Shader {
         Self::Compact,
         Self::Draw,
         Self::DrawLobed,
+        Self::DrawModel,
         Self::DrawBillboard,
         Self::Explain,
         Self::ExplainMultisampled,
@@ -108,7 +113,7 @@ impl Shader {
             Self::Update | Self::UpdateMultisampled => "sward.update",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
-            Self::Draw | Self::DrawLobed | Self::DrawBillboard => "sward.draw",
+            Self::Draw | Self::DrawLobed | Self::DrawModel | Self::DrawBillboard => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
             Self::DrawDebug => "sward.debug",
         }
@@ -136,7 +141,8 @@ impl Shader {
             Self::Compact => &[&[BAND, VIEW, COMPACT]],
             Self::Draw => &[&draw],
             Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
-            Self::DrawBillboard => &[&plant, &[QUADS, BILLBOARD]],
+            Self::DrawBillboard => &[&plant, &[LOOK, QUADS, BILLBOARD]],
+            Self::DrawModel => &[&plant, &[LOOK, MODEL]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
             Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG]],

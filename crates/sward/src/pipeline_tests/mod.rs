@@ -11,6 +11,7 @@ mod handmade;
 mod lobes;
 mod packing;
 mod pages;
+mod plants;
 mod quads;
 mod quantized;
 mod rig;

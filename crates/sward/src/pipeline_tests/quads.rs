@@ -133,7 +133,8 @@ fn corners_equal_their_reference() {
         let facing = up.cross(direction(i, 4)).normalize();
         let lean = up + direction(i, 7) * draw(i, 10) * 1.5;
         let tip = project_tip(lean.as_dvec3(), up.as_dvec3(), facing.as_dvec3(), 0.3).as_vec3();
-        let (quad, row) = (i % 3, f32::from(i as u8 % 2) * 0.5 + 0.5 * f32::from(i as u8 % 5 == 0));
+        let (quad, row) =
+            (i % 3, f32::from(i as u8 % 2) * 0.5 + 0.5 * f32::from(i.is_multiple_of(5)));
         let (u, v) = ((i / 3 % 2) as f32, row.min(1.0));
         let (morph, twist) = ([0.0, 0.4, 1.0][(i % 7 % 3) as usize], draw(i, 12) - 0.5);
         let root = direction(i, 13) * 20.0;

@@ -99,9 +99,9 @@ impl Builder {
         self.add(curve, side, width, skin, false);
     }
 
-    /// A ribbon that stands for something round.
+    /// A ribbon that stands for something round, as thick as a blade whatever its skin says.
     pub(super) fn rounded(&mut self, curve: [Vec3; 3], width: f32, skin: Skin) {
-        self.add(curve, Vec3::X, width, skin, true);
+        self.add(curve, Vec3::X, width, Skin { thickness: 1.0, ..skin }, true);
     }
 
     fn add(&mut self, curve: [Vec3; 3], side: Vec3, width: f32, skin: Skin, round: bool) {

@@ -5,6 +5,7 @@ use super::mesh::{RIBBON_POINTS, points};
 use super::model::{MAX_RIBBONS, Model};
 use super::paint::paint_model;
 use super::{Angle, Look, Picture, Plant, strip};
+use crate::Error;
 use crate::bake::layers::{Layers, color_of, thin_of};
 use crate::bake::mips::{Chain, chain, passing};
 use rayon::prelude::*;
@@ -51,7 +52,9 @@ fn layers_of(look: &Look) -> u32 {
 }
 
 /// A variant, and its views with their mips.
-fn painted(plant: Plant, variant: u32) -> (Model, Vec<Chain>) {
+type Painted = (Model, Vec<Chain>);
+
+fn painted(plant: Plant, variant: u32) -> Painted {
     let model = model(plant, u64::from(variant));
     let view = |view| {
         let tile = paint_model(&model, plant.width_share(), view_angle(view), LAYER_SIZE);
@@ -78,8 +81,8 @@ fn strip_chain() -> &'static Chain {
     })
 }
 
-fn model_row(model: &Model) -> Vec<[u32; 4]> {
-    let mut row: Vec<_> = model.ribbons.iter().flat_map(points).collect();
+fn model_row(model: &Model, width: f32) -> Vec<[u32; 4]> {
+    let mut row: Vec<_> = model.ribbons.iter().flat_map(|r| points(r, width)).collect();
     row.resize(MODEL_POINTS as usize, [0; 4]);
     row
 }
@@ -100,8 +103,10 @@ impl PlantLayers {
             Look::Picture(_) => None,
         });
         let variants: Vec<_> = kinds.flat_map(|k| (0..VARIANTS).map(move |v| (k, v))).collect();
-        let painted: Vec<_> = variants.into_par_iter().map(|(k, v)| painted(k, v)).collect();
-        let models = painted.iter().flat_map(|(model, _)| model_row(model)).collect();
+        let widths = variants.clone().into_iter().map(|(kind, _)| kind.width_share());
+        let painted: Vec<Painted> = variants.into_par_iter().map(|(k, v)| painted(k, v)).collect();
+        let row = |(painted, width): (&Painted, f32)| model_row(&painted.0, width);
+        let models = painted.iter().zip(widths).flat_map(row).collect();
         let mut chains: Vec<Chain> = painted.into_iter().flat_map(|(_, views)| views).collect();
         for look in &looks {
             if let Look::Picture(picture) = look {
@@ -115,6 +120,21 @@ impl PlantLayers {
             models,
             looks,
         }
+    }
+
+    /// Checks that the layers fit one array of the device.
+    pub(crate) fn check(&self, limits: &wgpu::Limits) -> Result<(), Error> {
+        let needed = self.color.count;
+        if needed <= limits.max_texture_array_layers {
+            return Ok(());
+        }
+        Err(Error::Limit {
+            what: format!("a field with {needed} pictures of plants"),
+            limit: "max_texture_array_layers",
+            needed: needed.into(),
+            available: limits.max_texture_array_layers.into(),
+            remedy: "use fewer kinds of plants, each of which has 12, or fewer pictures".into(),
+        })
     }
 
     /// The layers of a look; those of the strips' blade where it is not among them.

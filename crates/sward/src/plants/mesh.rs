@@ -12,8 +12,10 @@ pub(crate) const RIBBON_POINTS: u32 = 2 * (PIECES + 1);
 /// How far the normals at the edges turn to the sides: of flat ribbons, and of round ones.
 const FLAT_TURN: f32 = 0.3;
 const ROUND_TURN: f32 = 0.9;
-/// Points lie within -1.25..1.25 heights.
+/// Points lie within -1.25..1.25 of the plant's height and width.
 pub(crate) const POINT_RANGE: f32 = 1.25;
+/// Thicknesses lie within 0..5.
+const THICKNESS_RANGE: f32 = 5.0;
 
 /// One end of a ring across a ribbon.
 struct Edge {
@@ -75,13 +77,17 @@ fn octahedral(v: Vec3) -> u32 {
     snorm16(fold(n.x, n.z)) | snorm16(fold(n.z, n.x)) << 16
 }
 
-/// The points of a ribbon, ring by ring, two a ring, each one texel:
-/// x and y of the place, 16 bits each over [`POINT_RANGE`];
-/// z of the place, and half of the width with the sign of the side;
-/// colour, and whether the ribbon is round (bit 30);
-/// its normal, or its direction where it is round, octahedral.
-/// The place is the ribbon's middle where it is round, for the shader turns the width.
-pub(crate) fn points(ribbon: &Ribbon) -> [[u32; 4]; RIBBON_POINTS as usize] {
+/// The points of a ribbon of a plant so wide, ring by ring, two a ring, each one texel:
+///
+/// | word | bits | content |
+/// |---|---|---|
+/// | 0 | 16 + 16 | x in widths of the plant, y in heights, over [`POINT_RANGE`] |
+/// | 1 | 16 + 16 | z in widths; half of a round ribbon's width in widths, signed by side; a flat one's thickness over 5 |
+/// | 2 | 30 + 1 | colour; whether the ribbon is round |
+/// | 3 | 16 + 16 | normal, or the ribbon's direction where it is round, octahedral |
+///
+/// The place is the ribbon's middle where it is round: the shader turns its width to the eye.
+pub(crate) fn points(ribbon: &Ribbon, plant_width: f32) -> [[u32; 4]; RIBBON_POINTS as usize] {
     std::array::from_fn(|point| {
         let (ring, side) = (point / 2, point % 2);
         let v = ring as f32 / PIECES as f32;
@@ -94,10 +100,13 @@ pub(crate) fn points(ribbon: &Ribbon) -> [[u32; 4]; RIBBON_POINTS as usize] {
             let normal = across.cross(along);
             (ribbon.point(v) + across * (sign * half), normal)
         };
-        let [x, y, z] = (place / POINT_RANGE).to_array().map(snorm16);
+        let scale = Vec3::new(plant_width, 1.0, plant_width) * POINT_RANGE;
+        let [x, y, z] = (place / scale).to_array().map(snorm16);
+        let thick = ribbon.thickness / THICKNESS_RANGE;
+        let wide_or_thick = if ribbon.round { sign * half / scale.x } else { thick };
         [
             x | y << 16,
-            z | snorm16(sign * half / POINT_RANGE) << 16,
+            z | snorm16(wide_or_thick) << 16,
             pack_color(ribbon.color(v)) | u32::from(ribbon.round) << 30,
             octahedral(direction),
         ]

@@ -7,8 +7,8 @@
 mod builder;
 mod kinds;
 pub(crate) mod layers;
-mod mesh;
-mod model;
+pub(crate) mod mesh;
+pub(crate) mod model;
 mod paint;
 mod picture;
 mod strip;

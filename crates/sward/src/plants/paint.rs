@@ -28,7 +28,13 @@ pub(super) fn paint_model(model: &Model, width_share: f32, angle: Angle, size: u
     };
     let (right, up) = (Vec3::X, Vec3::Y);
     let window = Window { center, right, up, half, size: [size; 2], samples: SAMPLES };
-    window.see(&triangles(model, to_view(angle))).tile()
+    // What the foremost ribbon lets pass, as the near form is lit, and not all behind it: a tile
+    // keeps the sum of thicknesses, but of heights those of what shows
+    let mut list = triangles(model, to_view(angle));
+    list.iter_mut().flatten().for_each(|corner| corner.height_share = corner.thickness);
+    let mut tile = window.see(&list).tile();
+    tile.texels.iter_mut().for_each(|texel| texel.thickness = texel.height_share);
+    tile
 }
 
 /// A picture of a variant.

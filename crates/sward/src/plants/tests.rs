@@ -15,12 +15,13 @@ use glam::{Vec2, Vec3};
 const SIDE: Angle = Angle::Side { turned: 0.0 };
 
 /// A model, from the texels that the shader reads.
-fn unpacked(model: &Model, towards: Vec3) -> Vec<Triangle> {
+fn unpacked(model: &Model, width: f32, towards: Vec3) -> Vec<Triangle> {
     let snorm = |bits: u32| f32::from((bits & 0xffff) as u16 as i16) / 32767.0;
     let corner = |texel: [u32; 4]| {
         let [xy, z_half, color, oct] = texel;
-        let place = Vec3::new(snorm(xy), snorm(xy >> 16), snorm(z_half)) * POINT_RANGE;
-        let half = snorm(z_half >> 16) * POINT_RANGE;
+        let scale = Vec3::new(width, 1.0, width) * POINT_RANGE;
+        let place = Vec3::new(snorm(xy), snorm(xy >> 16), snorm(z_half)) * scale;
+        let half = snorm(z_half >> 16) * scale.x;
         let e = Vec2::new(snorm(oct), snorm(oct >> 16));
         let y = 1.0 - e.x.abs() - e.y.abs();
         let fold = (-y).max(0.0);
@@ -37,7 +38,7 @@ fn unpacked(model: &Model, towards: Vec3) -> Vec<Triangle> {
     };
     let mut list = Vec::new();
     for ribbon in &model.ribbons {
-        let ring: Vec<Corner> = points(ribbon).map(corner).to_vec();
+        let ring: Vec<Corner> = points(ribbon, width).map(corner).to_vec();
         for low in (0..RIBBON_POINTS as usize - 2).step_by(2) {
             list.push([ring[low], ring[low + 1], ring[low + 2]]);
             list.push([ring[low + 1], ring[low + 3], ring[low + 2]]);
@@ -72,7 +73,7 @@ fn every_variant_fills_its_box_and_no_more() {
             assert!((20..=MAX_RIBBONS).contains(&count), "{plant:?}: {count} ribbons");
             let (mut top, mut out, mut low) = (0.0_f32, 0.0_f32, 1.0_f32);
             for towards in [Vec3::X, Vec3::Z] {
-                for corner in unpacked(&model, towards).into_iter().flatten() {
+                for corner in unpacked(&model, plant.width_share(), towards).into_iter().flatten() {
                     let at = corner.position;
                     (top, low) = (top.max(at.y), low.min(at.y));
                     out = out.max(at.x.hypot(at.z));
@@ -162,7 +163,7 @@ fn the_near_form_shows_what_the_pictures_show() {
         let half = Vec2::new(0.5 * plant.width_share(), 0.5);
         let (center, right, up) = (Vec3::Y * 0.5, Vec3::X, Vec3::Y);
         let window = Window { center, right, up, half, size: [96; 2], samples: 4 };
-        let near = window.see(&unpacked(&model, Vec3::Z)).tile();
+        let near = window.see(&unpacked(&model, plant.width_share(), Vec3::Z)).tile();
         let (a, b) = (mean_color(&picture), mean_color(&near));
         let off = (a - b).abs().max_element() / a.max_element();
         assert!(off < 0.06, "{plant:?}: {a} painted, {b} near");

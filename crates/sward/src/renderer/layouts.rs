@@ -40,7 +40,7 @@ fn empty_depth(device: &wgpu::Device) -> wgpu::TextureView {
 
 impl Layouts {
     pub(crate) fn new(device: &wgpu::Device) -> Self {
-        use Kind::{Depth, Pictures, Read, Sampler, Texels, Uniform, Write};
+        use Kind::{Depth, Pictures, Read, Sampler, Texels, Uniform, Words, Write};
         let compute =
             |label: &str, kinds: &[Kind]| layout(device, label, ShaderStages::COMPUTE, kinds);
         let draw = |label: &str, kinds: &[Kind]| {
@@ -59,7 +59,7 @@ impl Layouts {
                 ShaderStages::VERTEX_FRAGMENT,
                 &[
                     Uniform, Uniform, Read, Read, Read, Read, Pictures, Pictures, Pictures,
-                    Pictures, Sampler, Read, Uniform,
+                    Pictures, Sampler, Read, Uniform, Words,
                 ],
             ),
             collide: compute("sward.collide", &[Write, Write, Write]),

@@ -26,22 +26,33 @@ impl std::fmt::Debug for TextureImage {
 pub(crate) const MAX_SIDE: u32 = 8192;
 const MAX_BYTES: u64 = 1 << 30;
 
+/// Longest side of a picture of a plant, pixels: it is resampled to far fewer anyway.
+const MAX_PICTURE_SIDE: u32 = 4096;
+
 /// Decodes a PNG or JPEG, told apart by its bytes.
 pub(crate) fn decode(file: &Path, bytes: &[u8]) -> Result<DynamicImage, SceneError> {
+    decode_up_to(file, bytes, MAX_SIDE)
+}
+
+fn decode_up_to(file: &Path, bytes: &[u8], most: u32) -> Result<DynamicImage, SceneError> {
     let format = image::guess_format(bytes)
         .ok()
         .filter(|format| matches!(format, ImageFormat::Png | ImageFormat::Jpeg))
         .ok_or_else(|| SceneError::asset(file, "is no PNG or JPEG image; convert it to PNG"))?;
+    if format == ImageFormat::Jpeg && jpeg_channels(bytes) == Some(4) {
+        let cause = "is a JPEG of four inks (CMYK), which has no one colour on a screen; convert it to \
+                     sRGB";
+        return Err(SceneError::asset(file, cause));
+    }
     let broken = |error: image::ImageError| {
         let cause = format!("broken or unsupported image: {error}; export it again");
         SceneError::asset(file, cause)
     };
     let reader = || ImageReader::with_format(Cursor::new(bytes), format);
     let (width, height) = reader().into_dimensions().map_err(broken)?;
-    if width == 0 || height == 0 || width.max(height) > MAX_SIDE {
-        let cause = format!(
-            "image of {width} x {height} pixels: sides must be 1 to {MAX_SIDE}; scale it down"
-        );
+    if width == 0 || height == 0 || width.max(height) > most {
+        let cause =
+            format!("image of {width} x {height} pixels: sides must be 1 to {most}; scale it down");
         return Err(SceneError::asset(file, cause));
     }
     let mut limited = reader();
@@ -49,6 +60,34 @@ pub(crate) fn decode(file: &Path, bytes: &[u8]) -> Result<DynamicImage, SceneErr
     limits.max_alloc = Some(MAX_BYTES);
     limited.limits(limits);
     limited.decode().map_err(broken)
+}
+
+/// Channels of a JPEG, as the header of its frame says; `None` where there is none.
+fn jpeg_channels(bytes: &[u8]) -> Option<u8> {
+    let mut at = 2;
+    loop {
+        let &[0xff, marker, high, low] = bytes.get(at..at + 4)? else { return None };
+        match marker {
+            // Frames of all kinds; the three in between are tables
+            0xc4 | 0xc8 | 0xcc => {}
+            0xc0..=0xcf => return bytes.get(at + 9).copied(),
+            // The picture's data follow
+            0xda => return None,
+            // A byte that fills up
+            0xff => {
+                at += 1;
+                continue;
+            }
+            _ => {}
+        }
+        at += 2 + usize::from(u16::from_be_bytes([high, low]));
+    }
+}
+
+/// Decodes a picture of a plant, whatever its kind of pixels.
+pub(crate) fn picture(file: &Path, bytes: &[u8]) -> Result<TextureImage, SceneError> {
+    let image = decode_up_to(file, bytes, MAX_PICTURE_SIDE)?.into_rgba8();
+    Ok(TextureImage { width: image.width(), height: image.height(), pixels: image.into_raw() })
 }
 
 /// Decodes a texture.

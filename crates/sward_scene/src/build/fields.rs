@@ -77,7 +77,7 @@ fn checked(field: &FieldFile, key: &Key) -> Result<FieldDesc, Problem> {
 
 /// The species, or what the plants come to.
 fn kinds(field: &FieldFile, key: &Key) -> Result<Vec<Species>, Problem> {
-    if let Some(mix) = plants::mix(field, key)? {
+    if let Some(mix) = plants::checked(field, key)? {
         return Ok(plants::mixed(&mix, key)?.species);
     }
     let Some(species) = &field.species else {

@@ -1,14 +1,32 @@
 //! Plants by probability, their bands, and the shade that moves over them.
 
+use super::{Context, pictures};
 use crate::ShadeSettings;
 use crate::check::{Key, MAX_M, Problem};
-use crate::error::one_line;
+use crate::error::{SceneError, one_line};
 use crate::schema::{BandsFile, FieldFile, PlantFile, ShadeFile};
 use glam::Vec2;
 use sward::{Bands, Billboard, Form, Kind, Mix, Plant, Range, Sizes, Species};
 
-/// The mix of a field whose plants are given by probability.
-pub(super) fn mix(field: &FieldFile, key: &Key) -> Result<Option<Mix>, Problem> {
+/// The mix of a field whose plants are given by probability, its pictures read.
+pub(super) fn mix(
+    context: &mut Context,
+    field: &FieldFile,
+    key: &Key,
+) -> Result<Option<Mix>, SceneError> {
+    let mut mix = checked(field, key).map_err(|problem| context.error(problem))?;
+    let kinds = mix.iter_mut().flat_map(|mix| &mut mix.kinds);
+    for (kind, file) in kinds.zip(&field.plants) {
+        let Some(picture) = &file.picture else { continue };
+        if let Form::Billboard(billboard) = &mut kind.species.form {
+            billboard.look = pictures::picture(context, picture)?.into();
+        }
+    }
+    Ok(mix)
+}
+
+/// The same, without the pictures.
+pub(super) fn checked(field: &FieldFile, key: &Key) -> Result<Option<Mix>, Problem> {
     if field.plants.is_empty() {
         return match field.garden {
             None => Ok(None),
@@ -34,18 +52,44 @@ pub(crate) fn mixed(mix: &Mix, key: &Key) -> Result<sward::Mixed, Problem> {
     })
 }
 
-fn kind(file: &PlantFile, key: &Key) -> Result<Kind, Problem> {
-    let Some(plant) = Plant::from_name(&file.kind) else {
-        let known: Vec<_> = Plant::ALL.iter().map(|plant| plant.name()).collect();
-        let cause = format!("unknown plant '{}'; known: {}", file.kind, known.join(", "));
-        return Err(key.at("kind").problem(cause));
+/// The kind that a plant is, or that its picture stands in for.
+fn plant(file: &PlantFile, key: &Key) -> Result<Option<Plant>, Problem> {
+    let Some(name) = &file.kind else {
+        if file.picture.is_some() {
+            return Ok(None);
+        }
+        return Err(key.problem("give the plant a `kind` or a `picture`"));
     };
-    let mut species = Species::plant(plant);
+    if let Some(plant) = Plant::from_name(name) {
+        return Ok(Some(plant));
+    }
+    let known: Vec<_> = Plant::ALL.iter().map(|plant| plant.name()).collect();
+    let cause = format!("unknown plant '{name}'; known: {}", known.join(", "));
+    Err(key.at("kind").problem(cause))
+}
+
+/// The common species of a kind; of a picture that stands in for none, with a look that is replaced.
+fn common(plant: Option<Plant>, file: &PlantFile) -> Species {
+    let picture = file.picture.as_ref();
+    match plant {
+        Some(plant) => Species::plant(plant),
+        None => Species {
+            name: picture.map(|picture| picture.color.clone()).unwrap_or_default(),
+            height_m: Species::default().height_m,
+            ..Species::plant(Plant::Daisy)
+        },
+    }
+}
+
+fn kind(file: &PlantFile, key: &Key) -> Result<Kind, Problem> {
+    let plant = plant(file, key)?;
+    let mut species = common(plant, file);
     if let Some(height) = file.height_m {
         species.height_m = key.at("height_m").span(height, |key, h| key.above_zero(h, 1000.0))?;
     }
     let stretch = key.at("stretch").within(file.stretch, 0.1, 10.0)?;
-    let width = |height: f32| height * plant.width_share() * stretch;
+    let share = plant.map_or(1.0, Plant::width_share);
+    let width = |height: f32| height * share * stretch;
     species.width_m = Range::new(width(species.height_m.min), width(species.height_m.max));
     species.gust = key.at("gust").within(file.gust, 0.0, 10.0)?;
     let quads = key.at("quads").integer(file.quads.into(), 1, 6)? as u32;
@@ -60,9 +104,10 @@ fn kind(file: &PlantFile, key: &Key) -> Result<Kind, Problem> {
         wind_turn: key.at("wind_turn").within(file.wind_turn, 0.0, 4.0)?,
         wind_tint: key.at("wind_tint").within(file.wind_tint, 0.0, 1.0)?,
         absorption: key.at("absorption").within(file.absorption, 0.0, 4.0)?,
-        ..Billboard::new(plant)
+        ..Billboard::new(plant.unwrap_or(Plant::Daisy))
     });
-    Ok(Kind { species, probability: file.probability, flower: !plant.is_grass() })
+    let flower = file.flower.unwrap_or(!plant.is_some_and(Plant::is_grass));
+    Ok(Kind { species, probability: file.probability, flower })
 }
 
 fn sizes((small, medium, large): (f32, f32, f32), key: &Key) -> Result<Sizes, Problem> {

@@ -9,6 +9,7 @@ mod field;
 mod light;
 mod motion;
 mod object;
+mod picture;
 mod plants;
 mod source;
 mod value;
@@ -25,6 +26,7 @@ pub use light::{
 };
 pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
+pub use picture::PictureFile;
 pub use plants::{BandsFile, PlantFile, ShadeFile};
 pub use source::{
     HeightmapFile, MobiusFile, PlaneFile, RockFile, Source, SphereMeshFile, TerrainFile, TorusFile,

@@ -1,6 +1,6 @@
 //! Keys for plants by probability, and for the bands that they are drawn in.
 
-use super::Span;
+use super::{PictureFile, Span};
 use serde::Deserialize;
 
 /// One kind of plant. Its defaults are those of [`sward::Species::plant`] and [`sward::Billboard`].
@@ -8,12 +8,20 @@ use serde::Deserialize;
 #[serde(deny_unknown_fields)]
 pub struct PlantFile {
     /// `meadow-grass`, `tall-grass`, `fine-grass`, `clover`, `daisy`, `poppy`, `cornflower` or
-    /// `dandelion-clock`. Needed.
-    pub kind: String,
+    /// `dandelion-clock`. Needed, but with `picture`.
+    #[serde(default)]
+    pub kind: Option<String>,
+    /// Pictures of the scene's own in place of the library's; such a plant has no model. Without a
+    /// kind it is as wide as high.
+    #[serde(default)]
+    pub picture: Option<PictureFile>,
+    /// Whether it counts as a flower for `garden`; default: kinds that are no grass, and pictures.
+    #[serde(default)]
+    pub flower: Option<bool>,
     /// How likely a plant is of this kind, 0 or more. Needed. All together should add up to 1; where
     /// they do not, each is divided by their sum.
     pub probability: f32,
-    /// Height, above 0; default: that of the kind.
+    /// Height, above 0; default: that of the kind, `(0.25, 0.5)` without one.
     #[serde(default)]
     pub height_m: Option<Span>,
     /// Times its common width, 0.1..=10; default 1.

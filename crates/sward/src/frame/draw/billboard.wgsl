@@ -22,28 +22,13 @@ struct QuadVertex {
     @location(8) @interpolate(flat) layer: u32,
 }
 
-const HIDDEN_QUAD: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);
-const LOOK_SALT: u32 = 41u;
-// Pictures of a variant: seen from three sides, 60 degrees apart
-const PICTURE_VIEWS: u32 = 3u;
-
-// The picture of a quad: one of the variants of the plant, from the side that the quad shows.
-fn quad_layer(look: vec4<u32>, id: u32, quad: u32) -> u32 {
-    let variants = max(look.z / PICTURE_VIEWS, 1u);
-    let variant = min(u32(hash01(id, LOOK_SALT) * f32(variants)), variants - 1u);
-    if look.z < PICTURE_VIEWS {
-        return look.y + min(variant, max(look.z, 1u) - 1u);
-    }
-    return look.y + variant * PICTURE_VIEWS + quad % PICTURE_VIEWS;
-}
-
 @vertex
 fn vs_quad(
     @builtin(vertex_index) vertex: u32,
     @builtin(instance_index) instance: u32,
 ) -> QuadVertex {
     var out: QuadVertex;
-    out.clip = HIDDEN_QUAD;
+    out.clip = HIDDEN_PLANT;
     let listed = listed_plant(vertex, instance);
     if listed.hidden {
         return out;
@@ -79,26 +64,11 @@ fn vs_quad(
     out.along = point.along;
     out.offset = point.position - point.center;
     out.up = blade.up;
-    let tone = (0.85 + 0.3 * hash01(blade.id, 22u)) * (1.0 + values.z * (lean - 0.1));
+    let tone = plant_tone(blade.id, lean, values.z);
     out.looks = vec4<f32>(species_table[kind].form.z, lean, tone, values.w);
     out.size = size;
     out.layer = quad_layer(look, blade.id, quad);
     return out;
-}
-
-// Share of the light that the plant keeps away on its way from the sun to a point in it: Beer and
-// Lambert's law over the way through a cylinder about it.
-fn absorbed_in(in: QuadVertex) -> f32 {
-    let radius = 0.5 * in.size.x;
-    let rise = dot(frame.to_sun.xyz, in.up);
-    let level = frame.to_sun.xyz - in.up * rise;
-    let flat_offset = in.offset - in.up * dot(in.offset, in.up);
-    let speed2 = max(dot(level, level), 1e-4);
-    let ahead = dot(flat_offset, level);
-    let room = max(radius * radius - dot(flat_offset, flat_offset), 0.0);
-    let to_side = (sqrt(ahead * ahead + speed2 * room) - ahead) / speed2;
-    let to_top = in.size.y * (1.0 - in.place.y) / max(rise, 0.05);
-    return 1.0 - exp(-in.looks.w * min(to_side, to_top) / max(radius, 1e-4));
 }
 
 @fragment
@@ -126,7 +96,8 @@ fn fs_quad(in: QuadVertex, @builtin(front_facing) front: bool) -> @location(0) v
     surface.root_open = in.looks.x;
     surface.lean = in.looks.y;
     surface.shaded = sun_shade(in.position);
-    surface.absorbed = absorbed_in(in);
+    surface.absorbed =
+        absorbed_within(in.offset, in.up, in.size, in.place.y, in.looks.w);
     surface.blocked = 1.0 - 2.0 * shape.a;
     let lit = with_haze(shade_blade(surface, to_eye), distance_to(in.position));
     return vec4<f32>(max(lit, vec3<f32>(0.0)), alpha);

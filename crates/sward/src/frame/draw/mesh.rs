@@ -2,7 +2,9 @@
 
 use super::topology::{BLADES_PER_INSTANCE, Topology};
 use crate::billboard::MAX_QUADS;
-use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS};
+use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET};
+use crate::plants::mesh::PIECES;
+use crate::plants::model::MAX_RIBBONS;
 
 /// What a plant of a bucket is made of.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,6 +26,8 @@ impl Mesh {
         match bucket {
             _ if bucket == middle => Self::quads(MAX_QUADS, 2),
             _ if bucket == far => Self::quads(MAX_QUADS.div_ceil(2), 1),
+            // Ribbons are cards of several pieces, too
+            MODEL_BUCKET => Self::quads(MAX_RIBBONS as u32, PIECES),
             _ => Self::card(),
         }
     }

@@ -3,7 +3,7 @@
 use super::mesh::Mesh;
 use super::topology::Topology;
 use crate::Targets;
-use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS};
+use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, MODEL_BUCKET};
 use crate::gpu::shaders::Shader;
 
 /// What a field needs beyond the plain pipelines. Others do not pay for it: variants are made when
@@ -112,8 +112,21 @@ pub(super) fn bucket_pipeline(
         _ if BILLBOARD_BUCKETS.contains(&bucket) => {
             Some(billboard_pipeline(device, modules, (layout, targets), bucket))
         }
+        MODEL_BUCKET => Some(model_pipeline(device, modules, (layout, targets))),
         _ => None,
     }
+}
+
+fn model_pipeline(
+    device: &wgpu::Device,
+    modules: &mut Modules,
+    (layout, targets): (&wgpu::PipelineLayout, Targets),
+) -> wgpu::RenderPipeline {
+    let constants =
+        [("BUCKET", MODEL_BUCKET as f64), ("VERTICES", f64::from(Mesh::of(MODEL_BUCKET).vertices))];
+    let module = &modules.get(device, Shader::DrawModel);
+    let program = Program { module, vertex: "vs_model", fragment: "fs_model", masked: false };
+    pipeline(device, layout, targets, program, &constants)
 }
 
 fn blade_pipeline(

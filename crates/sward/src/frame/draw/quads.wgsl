@@ -44,14 +44,10 @@ fn quad_point(
     u: f32,
     v: f32,
 ) -> QuadPoint {
-    let knee = middle_point(tip, blade.up, blade.arch);
-    // Upright, the curve is at 2t - t t of its height: so a picture is not stretched where it bends
-    let t = 1.0 - sqrt(clamp(1.0 - v, 0.0, 1.0));
-    let a = knee * t;
-    let b = mix(knee, tip, t);
+    let spine = spine_at(blade, tip, v);
     var point: QuadPoint;
-    point.center = blade.root + mix(a, b, t) * size.y;
-    point.along = unit_or(b - a, blade.up);
+    point.center = blade.root + spine.center * size.y;
+    point.along = spine.along;
     let angle = turn + twist * v;
     let level = cross(blade.up, blade.facing) * cos(angle) - blade.facing * sin(angle);
     // The shortest turn from up to along, of a direction perpendicular to up
