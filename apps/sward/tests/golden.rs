@@ -30,7 +30,17 @@ fn tiny_as_in_the_paper() {
 
 #[test]
 fn debug_views() {
-    for view in ["patches", "culling", "level", "awake", "crush", "wireframe", "half-wireframe"] {
+    for view in [
+        "patches",
+        "culling",
+        "level",
+        "awake",
+        "crush",
+        "wireframe",
+        "half-wireframe",
+        "position",
+        "distance",
+    ] {
         golden(
             &format!("debug/{view}"),
             SIZE,

@@ -80,6 +80,7 @@
 mod bake;
 pub mod bands;
 pub mod billboard;
+pub mod canopy;
 pub mod changes;
 pub mod collider;
 pub mod color_map;
@@ -105,6 +106,7 @@ mod pipeline_tests;
 
 pub use bands::Bands;
 pub use billboard::{Billboard, Sizes};
+pub use canopy::Canopy;
 pub use changes::Change;
 pub use collider::{Collider, ColliderShape, Pose};
 pub use color_map::{ColorImage, ColorMap};

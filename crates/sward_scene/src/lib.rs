@@ -22,6 +22,7 @@ mod bodies;
 mod build;
 pub mod camera;
 mod check;
+mod daylight;
 mod error;
 mod locate;
 mod motion;
@@ -34,6 +35,7 @@ pub use assets::TextureImage;
 pub use bodies::{Bodies, Body, BodyGroup, BodyShape};
 pub use build::{load, parse};
 pub use camera::Camera;
+pub use daylight::Daylight;
 pub use error::SceneError;
 pub use motion::{Path, PathKey};
 pub use objects::{ColliderPiece, Object};
@@ -62,10 +64,16 @@ pub struct Scene {
     pub spheres: Vec<MovingSphere>,
     /// Rigid bodies, by kind; [`Bodies`] moves them.
     pub bodies: Vec<BodyGroup>,
-    /// The sun.
+    /// The sun; at time 0 where it moves.
     pub light: SunSettings,
-    /// Sky and haze.
+    /// Sky and haze; at time 0 where they change.
     pub sky: SkySettings,
+    /// Sun and sky by the time of day, which is where `light` and `sky` then are from.
+    pub daylight: Option<Daylight>,
+    /// Fog by distance.
+    pub fog: Option<FogSettings>,
+    /// Depth of field.
+    pub depth_of_field: Option<DepthOfFieldSettings>,
     /// Gravity.
     pub gravity: sward::Gravity,
     /// Physical model.
@@ -159,6 +167,30 @@ pub struct SkySettings {
     pub haze_m: f32,
 }
 
+/// Fog by distance, over the finished picture; the sky stays clear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FogSettings {
+    /// Its colour, linear RGB radiance; none: that of the sky's horizon.
+    pub color: Option<Vec3>,
+    /// Share of the light that is lost a metre, 0 or more.
+    pub density_per_m: f32,
+    /// Distance from the eye at which it starts, metres.
+    pub start_m: f32,
+    /// Height (y) at which it has that density, metres.
+    pub base_m: f32,
+    /// Height over which it thins to 1/e, metres, above 0; infinity: as dense at any height.
+    pub falloff_m: f32,
+}
+
+/// Depth of field: a thin lens.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DepthOfFieldSettings {
+    /// Distance of the plane in focus along the line of sight, metres, above 0.
+    pub focus_m: f32,
+    /// Diameter of the lens's opening, metres, 0 or more.
+    pub aperture_m: f32,
+}
+
 /// How bare ground looks between and beyond the blades.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GroundSettings {
@@ -169,18 +201,28 @@ pub struct GroundSettings {
     pub grass_tint: f32,
 }
 
+/// Sun and sky as the library takes them, with no shade between.
+pub fn light(sun: &SunSettings, sky: &SkySettings) -> sward::Light {
+    sward::Light {
+        to_sun: sun.to_sun(),
+        sun: sun.irradiance,
+        sky: sky.ambient,
+        ground: sky.bounce,
+        haze: sky.horizon,
+        haze_per_m: sky.haze_m.recip(),
+        shade: sward::Shade::default(),
+    }
+}
+
 impl Scene {
-    /// Sun and sky as the library takes them.
+    /// Sun and sky as the library takes them, at time 0.
     pub fn light(&self) -> sward::Light {
-        sward::Light {
-            to_sun: self.light.to_sun(),
-            sun: self.light.irradiance,
-            sky: self.sky.ambient,
-            ground: self.sky.bounce,
-            haze: self.sky.horizon,
-            haze_per_m: self.sky.haze_m.recip(),
-            shade: self.shade_at(0.0),
-        }
+        sward::Light { shade: self.shade_at(0.0), ..light(&self.light, &self.sky) }
+    }
+
+    /// Sun and sky at a time.
+    pub fn sun_and_sky_at(&self, time_s: f64) -> (SunSettings, SkySettings) {
+        self.daylight.map_or((self.light, self.sky), |day| day.at(time_s))
     }
 
     /// What moves between the field and the sun at a time, as the library takes it.

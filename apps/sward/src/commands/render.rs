@@ -2,6 +2,7 @@
 
 mod garden;
 mod look;
+mod places;
 
 use super::{grow_timed, load, tell, tell_notes};
 use crate::args::{self, Frames, Gardens, Size};

@@ -179,7 +179,7 @@ pub fn measure(
     step();
     let still = || pair.still(settings.still_frames, step);
     let still = has(Part::Still).then(still).transpose()?;
-    pair.clear_haze();
+    pair.clear_air()?;
     let camera = &options.camera;
     let paths = Paths::new(scene, camera);
     let mut path = |which: Which| {

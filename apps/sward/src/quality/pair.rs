@@ -33,9 +33,9 @@ impl Pair {
         self.reference.look_from(camera)
     }
 
-    pub fn clear_haze(&mut self) {
-        self.test.clear_haze();
-        self.reference.clear_haze();
+    pub fn clear_air(&mut self) -> Result<()> {
+        self.test.clear_air()?;
+        self.reference.clear_air()
     }
 
     pub fn show_sky(&mut self, shown: bool) {

@@ -1,10 +1,12 @@
 //! What every pass round the grass reads: camera, light, settings.
 
+use super::StageOptions;
+use super::post::lens;
 use super::reference::Crop;
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec4};
 use sward::{Light, Shade};
-use sward_scene::{Camera, Scene};
+use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, SkySettings};
 use wgpu::util::DeviceExt;
 
 /// The WGSL twin is `GpuStageFrame` in `frame.wgsl`; a test compares the two.
@@ -22,6 +24,9 @@ pub(super) struct GpuStageFrame {
     zenith: Vec4,
     horizon: Vec4,
     haze: Vec4,
+    fog: Vec4,
+    fog_shape: Vec4,
+    lens: Vec4,
     exposure: f32,
     samples_a_side: f32,
     stands_in: f32,
@@ -35,6 +40,9 @@ pub(super) struct GpuStageFrame {
 #[derive(Debug)]
 pub(super) struct FrameUniform {
     values: GpuStageFrame,
+    fog: Option<FogSettings>,
+    depth_of_field: Option<DepthOfFieldSettings>,
+    height_px: f32,
     buffer: wgpu::Buffer,
     pub layout: wgpu::BindGroupLayout,
     pub group: wgpu::BindGroup,
@@ -59,27 +67,13 @@ impl CameraMatrices {
 }
 
 impl FrameUniform {
-    /// The ground stands for no grass where `all_drawn`.
-    pub fn new(device: &wgpu::Device, scene: &Scene, light: &Light, all_drawn: bool) -> Self {
+    /// Light is all dark until it is set.
+    pub fn new(device: &wgpu::Device, options: &StageOptions) -> Self {
         let values = GpuStageFrame {
-            clip_from_world: Mat4::IDENTITY,
-            view_from_clip: Mat4::IDENTITY,
-            world_from_view: Mat4::IDENTITY,
-            eye: Vec4::ZERO,
-            to_sun: light.to_sun.extend(0.0),
-            sun: light.sun.extend(0.0),
-            sky: light.sky.extend(0.0),
-            ground: light.ground.extend(0.0),
-            zenith: scene.sky.zenith.extend(0.0),
-            horizon: scene.sky.horizon.extend(0.0),
-            haze: light.haze.extend(light.haze_per_m),
             exposure: 1.0,
             samples_a_side: 1.0,
-            stands_in: if all_drawn { 0.0 } else { 1.0 },
-            reserved: 0.0,
-            shade: Vec4::ZERO,
-            shade_offset: Vec2::ZERO,
-            reserved_more: Vec2::ZERO,
+            stands_in: if options.draws_all() { 0.0 } else { 1.0 },
+            ..bytemuck::Zeroable::zeroed()
         };
         let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("sward.stage.frame"),
@@ -104,12 +98,38 @@ impl FrameUniform {
             layout: &layout,
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
         });
-        Self { values, buffer, layout, group }
+        Self {
+            values,
+            fog: options.fog,
+            depth_of_field: options.depth_of_field,
+            height_px: options.size[1] as f32,
+            buffer,
+            layout,
+            group,
+        }
     }
 
-    /// No haze from the next writing on.
-    pub fn clear_haze(&mut self) {
+    /// Takes effect when the camera is next written.
+    pub fn set_light(&mut self, light: &Light, sky: &SkySettings) {
+        let values = &mut self.values;
+        values.to_sun = light.to_sun.extend(0.0);
+        values.sun = light.sun.extend(0.0);
+        values.sky = light.sky.extend(0.0);
+        values.ground = light.ground.extend(0.0);
+        values.zenith = sky.zenith.extend(0.0);
+        values.horizon = sky.horizon.extend(0.0);
+        values.haze = light.haze.extend(light.haze_per_m);
+        if let Some(fog) = self.fog {
+            values.fog = fog.color.unwrap_or(sky.horizon).extend(fog.density_per_m);
+            let thins = fog.falloff_m.recip();
+            values.fog_shape = Vec4::new(fog.start_m, fog.base_m, thins, 0.0);
+        }
+    }
+
+    /// Neither haze nor fog nor a lens from the next writing on.
+    pub fn clear_air(&mut self) {
         self.values.haze.w = 0.0;
+        (self.fog, self.depth_of_field) = (None, None);
     }
 
     /// What moves between the ground and the sun; written with the camera.
@@ -126,6 +146,8 @@ impl FrameUniform {
         self.values.view_from_clip = camera.clip_from_view.inverse();
         self.values.world_from_view = world_from_view;
         self.values.eye = world_from_view.w_axis;
+        let focal = camera.clip_from_view.y_axis.y;
+        self.values.lens = lens(self.depth_of_field, focal, self.height_px).into();
         self.values.samples_a_side = samples_a_side;
         queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(&self.values));
     }
@@ -166,6 +188,9 @@ mod tests {
             zenith,
             horizon,
             haze,
+            fog,
+            fog_shape,
+            lens,
             exposure,
             samples_a_side,
             stands_in,

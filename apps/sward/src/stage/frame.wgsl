@@ -17,6 +17,14 @@ struct GpuStageFrame {
     horizon: vec4<f32>,
     // rgb colour of the haze, w share of the light lost to it a metre
     haze: vec4<f32>,
+    // rgb colour of the fog, w share of the light lost to it a metre
+    fog: vec4<f32>,
+    // x metres from the eye to where it starts, y height where it is that dense, z 1 over the metres
+    // of height in which it thins to 1/e
+    fog_shape: vec4<f32>,
+    // x metres in focus, y pixels across of the disc that is infinitely far, z and w standard
+    // deviations of the two blurred copies in pixels
+    lens: vec4<f32>,
     exposure: f32,
     // Samples of the target that a side of a pixel has: what is a pixel wide is so many of them
     samples_a_side: f32,

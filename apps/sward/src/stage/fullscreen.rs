@@ -3,20 +3,33 @@
 use crate::gpu::DEPTH_FORMAT;
 
 /// What a full-screen pass is made of.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct FullscreenDesc<'a> {
     /// Stem of its shader, and its entry point.
     pub name: &'a str,
     /// WGSL after `frame.wgsl` and `fullscreen.wgsl`.
     pub source: &'a str,
-    pub format: wgpu::TextureFormat,
-    /// Samples of the target.
+    /// Of its targets.
+    pub formats: &'a [wgpu::TextureFormat],
+    /// Samples of the targets.
     pub samples: u32,
-    /// Number of textures in group 1.
-    pub inputs: u32,
-    /// Whether these are multisampled.
-    pub multisampled: bool,
+    /// Textures in group 1.
+    pub inputs: &'a [Input],
+    /// Values of the shader's overrides.
+    pub constants: &'a [(&'a str, f64)],
     /// Whether it is drawn only where nothing has been (depth is far).
     pub background: bool,
+}
+
+/// A texture that is read texel by texel, without a sampler.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Input {
+    Color,
+    /// All samples of a multisampled colour.
+    Samples,
+    Depth {
+        multisampled: bool,
+    },
 }
 
 /// A pipeline over the whole screen.
@@ -34,12 +47,13 @@ impl Fullscreen {
     ) -> Self {
         let label = format!("sward.stage.{}", desc.name);
         let shader = super::shader(device, &label, &[include_str!("fullscreen.wgsl"), desc.source]);
-        let inputs = input_layout(device, &label, desc.inputs, desc.multisampled);
+        let inputs = input_layout(device, &label, desc.inputs);
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(&label),
             bind_group_layouts: &[Some(frame), Some(&inputs)],
             immediate_size: 0,
         });
+        let targets: Vec<_> = desc.formats.iter().map(|&format| Some(format.into())).collect();
         let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(&label),
             layout: Some(&layout),
@@ -55,8 +69,11 @@ impl Fullscreen {
             fragment: Some(wgpu::FragmentState {
                 module: &shader,
                 entry_point: Some(desc.name),
-                compilation_options: Default::default(),
-                targets: &[Some(desc.format.into())],
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    constants: desc.constants,
+                    ..Default::default()
+                },
+                targets: &targets,
             }),
             multiview_mask: None,
             cache: None,
@@ -93,21 +110,25 @@ impl Fullscreen {
         pass.draw(0..3, 0..1);
     }
 
-    /// Opens a pass of its own over a whole target and draws.
-    pub fn run(
+    /// Opens a pass of its own over whole targets and draws.
+    pub fn run<'a>(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        target: &wgpu::TextureView,
+        targets: &[&'a wgpu::TextureView],
         frame: &wgpu::BindGroup,
         inputs: &wgpu::BindGroup,
     ) {
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: target,
+        let attachment = |view: &&'a wgpu::TextureView| {
+            Some(wgpu::RenderPassColorAttachment {
+                view,
                 depth_slice: None,
                 resolve_target: None,
                 ops: Default::default(),
-            })],
+            })
+        };
+        let attachments: Vec<_> = targets.iter().map(attachment).collect();
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            color_attachments: &attachments,
             ..Default::default()
         });
         self.draw(&mut pass, frame, inputs);
@@ -124,21 +145,20 @@ fn background_depth() -> wgpu::DepthStencilState {
     }
 }
 
-/// Textures that are read texel by texel, without a sampler.
-fn input_layout(
-    device: &wgpu::Device,
-    label: &str,
-    count: u32,
-    multisampled: bool,
-) -> wgpu::BindGroupLayout {
-    let entries: Vec<_> = (0..count)
-        .map(|binding| wgpu::BindGroupLayoutEntry {
+fn input_layout(device: &wgpu::Device, label: &str, inputs: &[Input]) -> wgpu::BindGroupLayout {
+    use wgpu::TextureSampleType as Sample;
+    let entries: Vec<_> = (0..)
+        .zip(inputs)
+        .map(|(binding, input)| wgpu::BindGroupLayoutEntry {
             binding,
             visibility: wgpu::ShaderStages::FRAGMENT,
             ty: wgpu::BindingType::Texture {
-                sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                sample_type: match input {
+                    Input::Color | Input::Samples => Sample::Float { filterable: false },
+                    Input::Depth { .. } => Sample::Depth,
+                },
                 view_dimension: wgpu::TextureViewDimension::D2,
-                multisampled,
+                multisampled: matches!(input, Input::Samples | Input::Depth { multisampled: true }),
             },
             count: None,
         })

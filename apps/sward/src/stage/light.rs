@@ -2,7 +2,8 @@
 //! pixel is grass.
 
 use super::frame::FrameUniform;
-use super::fullscreen::{Fullscreen, FullscreenDesc};
+use super::fullscreen::{Fullscreen, FullscreenDesc, Input};
+use super::post::Post;
 use super::targets::{Targets, texture};
 use super::{Stage, readback};
 use crate::gpu::Gpu;
@@ -38,10 +39,10 @@ pub(super) fn averaging(
     let desc = FullscreenDesc {
         name: "average",
         source: if multisampled { MANY } else { ONE },
-        format: SUM_FORMAT,
+        formats: &[SUM_FORMAT],
         samples: 1,
-        inputs: 1,
-        multisampled,
+        inputs: &[if multisampled { Input::Samples } else { Input::Color }],
+        constants: &[],
         background: false,
     };
     Fullscreen::new(device, &frame.layout, &desc)
@@ -92,7 +93,7 @@ impl Stage {
         self.encode_draw(&mut encoder);
         std::mem::swap(&mut self.targets, &mut target.samples);
         let Readable { average, means_view, inputs, .. } = &target;
-        average.run(&mut encoder, means_view, &self.uniform.group, inputs);
+        average.run(&mut encoder, &[means_view], &self.uniform.group, inputs);
         self.submit(encoder);
         let pixels = readback::floats(&self.gpu, &target.means)?;
         self.readable = Some(target);
@@ -123,11 +124,20 @@ impl Stage {
         self.options.reference_in_view = true;
     }
 
-    /// Takes the haze away, from grass and ground alike.
-    pub fn clear_haze(&mut self) {
+    /// Takes haze, fog and depth of field away.
+    ///
+    /// # Errors
+    /// Where the device fails.
+    pub fn clear_air(&mut self) -> Result<()> {
+        let options = &mut self.options;
+        (options.haze, options.fog, options.depth_of_field) = (false, None, None);
         self.light.haze_per_m = 0.0;
-        self.uniform.clear_haze();
+        self.uniform.clear_air();
+        let format = self.targets.picture.format();
+        self.post = Post::new(&self.gpu.device, &self.uniform, format, &self.options);
         self.write_camera();
+        // The renderer takes its light with a step.
+        self.step(0.0)
     }
 
     /// Whether the sky is drawn; black, where it is not.

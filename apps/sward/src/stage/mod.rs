@@ -11,11 +11,12 @@ mod meshes;
 mod movers;
 mod opaque;
 mod options;
-mod passes;
+mod post;
 mod readback;
 mod reference;
 mod resume;
 mod shapes;
+mod sky;
 mod targets;
 mod texture;
 
@@ -31,10 +32,11 @@ use light::Readable;
 use movers::Movers;
 use opaque::Opaque;
 use options::view;
-use passes::Passes;
+use post::{Drawn, Post};
 use reference::{Crop, Supersampled};
+use sky::Sky;
 use sward::{Field, Frame, Light, Renderer, Statistics, Wind};
-use sward_scene::{Scene, SceneWind, ShadeSettings};
+use sward_scene::{Daylight, Scene, SceneWind, ShadeSettings};
 use targets::Targets;
 
 /// A scene with its grass, ready to be stepped and drawn.
@@ -46,10 +48,12 @@ pub struct Stage {
     targets: Targets,
     uniform: FrameUniform,
     opaque: Opaque,
-    passes: Passes,
+    sky: Sky,
+    post: Post,
     wind: Wind,
     wind_paths: Vec<SceneWind>,
     light: Light,
+    daylight: Option<Daylight>,
     shade: Option<ShadeSettings>,
     gravity: sward::Gravity,
     movers: Movers,
@@ -90,17 +94,17 @@ impl Stage {
                 .add_field(device, grown)
                 .with_context(|| format!("{}: field '{}'", scene.path.display(), field.name))?;
         }
-        let mut light = scene.light();
-        if !options.haze {
-            light.haze_per_m = 0.0;
-        }
-        let uniform = FrameUniform::new(device, scene, &light, options.draws_all());
+        let mut uniform = FrameUniform::new(device, &options);
+        let warm_up_s = f64::from(scene.warm_up_s);
+        let (sun, sky) = scene.sun_and_sky_at(-warm_up_s);
+        let light = Light { shade: scene.light().shade, ..options::light(&options, &sun, &sky) };
+        uniform.set_light(&light, &sky);
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);
         let opaque = Opaque::new(gpu, &uniform, scene, &movers, samples);
-        let passes = Passes::new(device, &uniform, &targets, samples);
-        let warm_up_s = f64::from(scene.warm_up_s);
+        let sky = Sky::new(device, &uniform, samples);
+        let post = Post::new(device, &uniform, targets.picture.format(), &options);
         let mut stage = Self {
             gpu: gpu.clone(),
             options,
@@ -108,10 +112,12 @@ impl Stage {
             targets,
             uniform,
             opaque,
-            passes,
+            sky,
+            post,
             wind: Wind::new(scene.wind_at(-warm_up_s))?,
             wind_paths: scene.wind.clone(),
             light,
+            daylight: scene.daylight.filter(|day| day.hours_per_s != 0.0),
             shade: scene.shade,
             gravity: scene.gravity,
             movers,
@@ -200,21 +206,31 @@ impl Stage {
         Ok(self.renderer.simulate(&self.gpu.device, encoder, &frame)?)
     }
 
-    /// What moves by itself, without the grass: time, wind, things and bodies.
+    /// What moves by itself, without the grass: time, sun, wind, things and bodies.
     fn follow(&mut self, dt_s: f64) {
         self.last_time_s = self.time_s;
         self.time_s += dt_s;
         self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(self.time_s)).collect();
         self.wind.advance(dt_s);
         self.movers.advance(self.time_s);
-        self.drift_shade();
+        self.move_light();
     }
 
-    /// Moves what is between the field and the sun.
-    fn drift_shade(&mut self) {
-        let Some(shade) = &self.shade else { return };
-        self.light.shade = shade.at(self.time_s);
-        self.uniform.set_shade(&self.light.shade);
+    /// Moves the sun, and what is between it and the field.
+    fn move_light(&mut self) {
+        if self.daylight.is_none() && self.shade.is_none() {
+            return;
+        }
+        if let Some(day) = &self.daylight {
+            let (sun, sky) = day.at(self.time_s);
+            let shade = self.light.shade;
+            self.light = Light { shade, ..options::light(&self.options, &sun, &sky) };
+            self.uniform.set_light(&self.light, &sky);
+        }
+        if let Some(shade) = &self.shade {
+            self.light.shade = shade.at(self.time_s);
+            self.uniform.set_shade(&self.light.shade);
+        }
         self.write_camera();
     }
 
@@ -275,15 +291,19 @@ impl Stage {
         self.renderer.draw(&mut pass, 0);
         self.opaque.draw_color(&mut pass, &self.uniform);
         if self.options.sky {
-            self.passes.draw_sky(&mut pass, &self.uniform);
+            self.sky.draw(&mut pass, &self.uniform);
         }
         drop(pass);
         self.depth_is_opaque = false;
     }
 
-    /// Records tone mapping and encoding into the picture.
+    /// Records what is done to the picture once it is drawn: fog and depth of field where the
+    /// options have them, tone mapping, encoding.
     pub fn encode_post(&mut self, encoder: &mut wgpu::CommandEncoder) {
-        self.passes.run_post(encoder, &self.uniform, &self.targets);
+        let (device, frame, targets) = (&self.gpu.device, &self.uniform, &self.targets);
+        let position = self.post.position(device, encoder, frame, &targets.depth);
+        let drawn = Drawn { color: targets.linear(), position };
+        self.post.run(device, encoder, frame, drawn, &targets.picture_view);
     }
 
     fn depth_attachment(

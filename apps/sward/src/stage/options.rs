@@ -3,8 +3,10 @@
 use super::frame::CameraMatrices;
 use super::reference::Crop;
 use anyhow::Result;
-use sward::{Bands, ColorRange, Culling, DebugView, Observer, PhysicsModel, Technique, View};
-use sward_scene::{Camera, Scene};
+use sward::{
+    Bands, ColorRange, Culling, DebugView, Light, Observer, PhysicsModel, Technique, View,
+};
+use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, Scene, SkySettings, SunSettings};
 
 /// How a scene is drawn.
 #[derive(Debug, Clone)]
@@ -31,6 +33,10 @@ pub struct StageOptions {
     pub sky: bool,
     /// Haze, where the scene has any.
     pub haze: bool,
+    /// Fog by distance, over the picture; the scene's.
+    pub fog: Option<FogSettings>,
+    /// Depth of field; the scene's.
+    pub depth_of_field: Option<DepthOfFieldSettings>,
     /// Whether spheres push the blades.
     pub collisions: bool,
     /// What to show in place of the blades' own look.
@@ -59,6 +65,8 @@ impl StageOptions {
             reference_in_view: false,
             sky: true,
             haze: true,
+            fog: scene.fog,
+            depth_of_field: scene.depth_of_field,
             collisions: true,
             debug: None,
             culling_camera: None,
@@ -82,6 +90,12 @@ impl StageOptions {
         let camera = self.culling_camera.as_ref().unwrap_or(&self.camera);
         CameraMatrices::new(camera, self.size, crop)
     }
+}
+
+/// The light of sun and sky, without the haze where the options leave it out.
+pub(super) fn light(options: &StageOptions, sun: &SunSettings, sky: &SkySettings) -> Light {
+    let light = sward_scene::light(sun, sky);
+    Light { haze_per_m: if options.haze { light.haze_per_m } else { 0.0 }, ..light }
 }
 
 /// The renderer's view of the camera. `size` is in pixels of the picture, of which a reference's

@@ -20,7 +20,7 @@ pub(super) fn floats(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<Vec4>> {
 }
 
 /// The texture's rows, one after another.
-fn bytes(gpu: &Gpu, texture: &wgpu::Texture, bytes_a_pixel: u32) -> Result<Vec<u8>> {
+pub(super) fn bytes(gpu: &Gpu, texture: &wgpu::Texture, bytes_a_pixel: u32) -> Result<Vec<u8>> {
     let line = texture.width() * bytes_a_pixel;
     let row = line.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
     let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {

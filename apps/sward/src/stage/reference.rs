@@ -6,6 +6,7 @@ use super::Stage;
 use super::frame::FrameUniform;
 use super::fullscreen::Fullscreen;
 use super::light::{SUM_FORMAT, averaging};
+use super::post::{Drawn, Position};
 use super::targets::{Targets, texture};
 use crate::gpu::Gpu;
 use anyhow::Result;
@@ -75,6 +76,29 @@ pub(super) struct Supersampled {
     tile_view: wgpu::TextureView,
     linear: wgpu::Texture,
     linear_view: wgpu::TextureView,
+    /// Where what is done to the picture at the end needs them.
+    positions: Option<Positions>,
+}
+
+/// World positions: a tile's, and all of them together.
+#[derive(Debug)]
+struct Positions {
+    tile: Position,
+    whole: wgpu::Texture,
+    whole_view: wgpu::TextureView,
+}
+
+impl Positions {
+    fn new(device: &wgpu::Device, frame: &FrameUniform, tile: [u32; 2], size: [u32; 2]) -> Self {
+        use wgpu::TextureUsages as U;
+        let (name, usage) = ("sward.stage.positions", U::TEXTURE_BINDING | U::COPY_DST);
+        let whole = texture(device, name, size, SUM_FORMAT, 1, usage);
+        Self {
+            tile: Position::new(device, frame, tile, 1),
+            whole_view: whole.create_view(&Default::default()),
+            whole,
+        }
+    }
 }
 
 impl Supersampled {
@@ -99,6 +123,7 @@ impl Supersampled {
             inputs,
             tile,
             linear,
+            positions: None,
         }
     }
 
@@ -107,19 +132,40 @@ impl Supersampled {
         &self.linear
     }
 
-    /// Records the average of a tile's samples into its place.
-    fn average(&self, encoder: &mut wgpu::CommandEncoder, frame: &FrameUniform, crop: Crop) {
-        self.average.run(encoder, &self.tile_view, &frame.group, &self.inputs);
-        let [x, y] = crop.origin.as_uvec2().to_array();
-        let mut to = self.linear.as_image_copy();
-        to.origin = wgpu::Origin3d { x, y, z: 0 };
-        let extent = wgpu::Extent3d {
-            width: crop.size[0].min(self.linear.width() - x),
-            height: crop.size[1].min(self.linear.height() - y),
-            depth_or_array_layers: 1,
-        };
-        encoder.copy_texture_to_texture(self.tile.as_image_copy(), to, extent);
+    /// Records the average of a tile's samples into its place, and their positions.
+    fn average(
+        &self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &FrameUniform,
+        crop: Crop,
+        depth: &wgpu::TextureView,
+    ) {
+        self.average.run(encoder, &[&self.tile_view], &frame.group, &self.inputs);
+        into_place(encoder, &self.tile, &self.linear, crop);
+        if let Some(Positions { tile, whole, .. }) = &self.positions {
+            tile.run(device, encoder, frame, depth);
+            into_place(encoder, tile.target(), whole, crop);
+        }
     }
+}
+
+/// Copies a tile to where it belongs in the whole.
+fn into_place(
+    encoder: &mut wgpu::CommandEncoder,
+    tile: &wgpu::Texture,
+    whole: &wgpu::Texture,
+    crop: Crop,
+) {
+    let [x, y] = crop.origin.as_uvec2().to_array();
+    let mut to = whole.as_image_copy();
+    to.origin = wgpu::Origin3d { x, y, z: 0 };
+    let extent = wgpu::Extent3d {
+        width: crop.size[0].min(whole.width() - x),
+        height: crop.size[1].min(whole.height() - y),
+        depth_or_array_layers: 1,
+    };
+    encoder.copy_texture_to_texture(tile.as_image_copy(), to, extent);
 }
 
 impl Stage {
@@ -128,8 +174,10 @@ impl Stage {
         self.draw_reference()?;
         let Some(target) = &self.supersampled else { return Ok(()) };
         let mut encoder = self.encoder();
-        let (device, linear) = (&self.gpu.device, &target.linear_view);
-        self.passes.run_post_from(device, &mut encoder, &self.uniform, &self.targets, linear);
+        let position = target.positions.as_ref().map(|positions| &positions.whole_view);
+        let drawn = Drawn { color: &target.linear_view, position };
+        let (device, picture) = (&self.gpu.device, &self.targets.picture_view);
+        self.post.run(device, &mut encoder, &self.uniform, drawn, picture);
         self.submit(encoder);
         Ok(())
     }
@@ -140,6 +188,11 @@ impl Stage {
             Some(target) => target,
             None => Supersampled::new(&self.gpu, &self.uniform, self.options.size),
         };
+        let tile_size = target.tiles.first().map_or(self.options.size, |tile| tile.size);
+        if self.post.needs_positions() && target.positions.is_none() {
+            let (device, frame) = (&self.gpu.device, &self.uniform);
+            target.positions = Some(Positions::new(device, frame, tile_size, self.options.size));
+        }
         std::mem::swap(&mut self.targets, &mut target.samples);
         let drawn = self.draw_tiles(&target);
         std::mem::swap(&mut self.targets, &mut target.samples);
@@ -160,7 +213,14 @@ impl Stage {
             self.encode_opaque(&mut encoder);
             self.encode_cull(&mut encoder)?;
             self.encode_draw(&mut encoder);
-            target.average(&mut encoder, &self.uniform, tile);
+            // The tile's samples are the stage's targets
+            target.average(
+                &self.gpu.device,
+                &mut encoder,
+                &self.uniform,
+                tile,
+                &self.targets.depth,
+            );
             self.submit(encoder);
             self.gpu.wait()?;
         }

@@ -40,44 +40,62 @@ pub(crate) fn passing(tile: &Tile) -> f32 {
     share(tile.size, &alphas, 1.0)
 }
 
+/// Of scaled alphas; beyond the rim they stay.
 fn share(size: [u32; 2], alphas: &[f32], scale: f32) -> f32 {
-    let passed = interpolated(size, alphas, scale).filter(|a| *a >= ALPHA_TEST).count();
-    passed as f32 / (size[0] * size[1] * places(size).pow(2)) as f32
-}
-
-/// Places a side of a texel where the share is measured.
-fn places(size: [u32; 2]) -> u32 {
-    (64 / size[0].min(size[1])).clamp(3, 8)
-}
-
-/// Scaled alphas between texels; beyond the rim they stay.
-fn interpolated(
-    [width, height]: [u32; 2],
-    alphas: &[f32],
-    scale: f32,
-) -> impl Iterator<Item = f32> + '_ {
-    let count = places([width, height]);
-    let at = move |x: i32, y: i32| {
-        let (x, y) = (x.clamp(0, width as i32 - 1), y.clamp(0, height as i32 - 1));
-        (alphas[(y * width as i32 + x) as usize] * scale).min(1.0)
+    let [width, height] = size.map(|n| n as i32);
+    let at = |x: i32, y: i32| {
+        let (x, y) = (x.clamp(0, width - 1), y.clamp(0, height - 1));
+        (alphas[(y * width + x) as usize] * scale).min(1.0)
     };
-    let cells = (-1..height as i32).flat_map(move |y| (-1..width as i32).map(move |x| (x, y)));
-    cells.flat_map(move |(x, y)| {
-        let corners = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
-        let step = 1.0 / count as f32;
-        let place = move |i: u32| (i as f32 + 0.5) * step;
-        // Of the cells about the rim, only the half within the tile
-        let inside = move |from: i32, size: u32, t: f32| {
-            let p = from as f32 + 0.5 + t;
-            p > 0.0 && p < size as f32
-        };
-        (0..count * count).filter_map(move |i| {
-            let (s, t) = (place(i % count), place(i / count));
-            let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
-            (inside(x, width, s) && inside(y, height, t))
-                .then(|| mix(mix(corners[0], corners[1], s), mix(corners[2], corners[3], s), t))
-        })
+    let count = places(size);
+    let mut passed = 0;
+    for y in -1..height {
+        for x in -1..width {
+            let corners = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
+            // Of the cells about the rim, only the part within the tile
+            let (low_x, high_x) = within(x, width, count);
+            let (low_y, high_y) = within(y, height, count);
+            let places = (low_x..high_x, low_y..high_y);
+            if corners.iter().all(|a| *a >= ALPHA_TEST) {
+                passed += places.0.len() * places.1.len();
+            } else if corners.iter().any(|a| *a >= ALPHA_TEST) {
+                passed += passing_cell(corners, count, places);
+            }
+        }
+    }
+    passed as f32 / (size[0] * size[1] * count * count) as f32
+}
+
+/// Places of a cell, from the middle of texel `from` to the next one's, that lie in the tile.
+fn within(from: i32, size: i32, count: u32) -> (u32, u32) {
+    let half = count / 2;
+    if from < 0 {
+        (count - half, count)
+    } else if from == size - 1 {
+        (0, half)
+    } else {
+        (0, count)
+    }
+}
+
+fn passing_cell(
+    corners: [f32; 4],
+    count: u32,
+    (across, down): (std::ops::Range<u32>, std::ops::Range<u32>),
+) -> usize {
+    let at = |i: u32| (i as f32 + 0.5) / count as f32;
+    let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
+    down.map(|j| {
+        let left = mix(corners[0], corners[2], at(j));
+        let right = mix(corners[1], corners[3], at(j));
+        across.clone().filter(|i| mix(left, right, at(*i)) >= ALPHA_TEST).count()
     })
+    .sum()
+}
+
+/// Places a side of a texel where the share is measured; even, so that a tile holds all of them.
+fn places(size: [u32; 2]) -> u32 {
+    (64 / size[0].min(size[1])).next_multiple_of(2).clamp(2, 8)
 }
 
 /// Scales a level's alphas.

@@ -1,10 +1,18 @@
 //! Baking on the CPU: plants made of ribbons become pictures of them, in texels that hold colour,
 //! coverage, normal, height and thickness. `ribbon -> raster -> mips -> layers`.
 
+pub(crate) mod canopy;
+pub(crate) mod cluster;
+pub(crate) mod color;
+pub(crate) mod cover;
 pub(crate) mod layers;
 pub(crate) mod mips;
 pub(crate) mod raster;
 pub(crate) mod ribbon;
+pub(crate) mod stand;
+pub(crate) mod surfels;
+#[cfg(test)]
+mod tests;
 
 use glam::Vec3;
 

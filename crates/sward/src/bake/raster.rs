@@ -68,6 +68,14 @@ struct Hit {
 
 const NONE: Hit = Hit { depth: f32::NEG_INFINITY, triangle: u32::MAX, weights: Vec3::ZERO };
 
+/// A triangle in the picture, in samples, with depths, and its box.
+#[derive(Debug, Clone, Copy)]
+struct Flat {
+    corners: [Vec3; 3],
+    low: Vec2,
+    high: Vec2,
+}
+
 /// Triangles seen through a window, sample by sample.
 #[derive(Debug)]
 pub(crate) struct Seen<'a> {
@@ -89,7 +97,7 @@ impl Window {
         self.size.map(|n| n * self.samples)
     }
 
-    /// Place in samples, and depth.
+    /// Place in samples, and depth: nearer is larger.
     fn project(&self, point: Vec3) -> Vec3 {
         let [width, height] = self.grid().map(|n| n as f32 * 0.5);
         let from = point - self.center;
@@ -97,13 +105,38 @@ impl Window {
         Vec3::new((place.x + 1.0) * width, (place.y + 1.0) * height, from.dot(self.to_eye()))
     }
 
+    fn flatten(&self, triangle: &Triangle) -> Flat {
+        let corners = triangle.map(|corner| self.project(corner.position));
+        let [a, b, c] = corners.map(Vec3::truncate);
+        Flat { corners, low: a.min(b).min(c), high: a.max(b).max(c) }
+    }
+
+    /// Whether a part of it may lie in the picture.
+    fn shows(&self, flat: &Flat, by: Vec2) -> bool {
+        let [width, height] = self.grid().map(|n| n as f32);
+        (flat.high + by).cmpge(Vec2::ZERO).all()
+            && (flat.low + by).cmple(Vec2::new(width, height)).all()
+    }
+
     /// Looks at triangles.
     pub(crate) fn see<'a>(&self, triangles: &'a [Triangle]) -> Seen<'a> {
+        self.see_copies(triangles, &[Vec3::ZERO])
+    }
+
+    /// Looks at copies of triangles, each moved by an offset.
+    pub(crate) fn see_copies<'a>(&self, triangles: &'a [Triangle], offsets: &[Vec3]) -> Seen<'a> {
         let count = self.grid().map(|n| n as usize).iter().product();
-        let mut seen =
-            Seen { window: *self, triangles, hits: vec![NONE; count], thickness: vec![0.0; count] };
-        for (index, triangle) in triangles.iter().enumerate() {
-            seen.add(index as u32, triangle);
+        let (hits, thickness) = (vec![NONE; count], vec![0.0; count]);
+        let mut seen = Seen { window: *self, triangles, hits, thickness };
+        let here = self.project(Vec3::ZERO);
+        let flat: Vec<Flat> = triangles.iter().map(|t| self.flatten(t)).collect();
+        for offset in offsets {
+            let by = self.project(*offset) - here;
+            for (index, flat) in flat.iter().enumerate() {
+                if self.shows(flat, by.truncate()) {
+                    seen.add(index as u32, flat.corners.map(|corner| corner + by));
+                }
+            }
         }
         seen
     }
@@ -124,8 +157,8 @@ fn owns(from: Vec2, to: Vec2, area: f32) -> bool {
 }
 
 impl Seen<'_> {
-    fn add(&mut self, index: u32, triangle: &Triangle) {
-        let [a, b, c] = triangle.map(|corner| self.window.project(corner.position));
+    fn add(&mut self, index: u32, [a, b, c]: [Vec3; 3]) {
+        let triangle = &self.triangles[index as usize];
         let cross = |p: Vec2, q: Vec2| p.perp_dot(q);
         let (p, q, r) = (a.truncate(), b.truncate(), c.truncate());
         let area = cross(q - p, r - p);

@@ -184,3 +184,35 @@ pub struct GpuDraw {
     pub dropped: u32,
     pub reserved: u32,
 }
+
+/// `GpuSurfel` of canopy.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub struct GpuSurfel {
+    pub normal: [f32; 3],
+    pub weight: f32,
+    pub albedo: [f32; 3],
+    pub height_share: f32,
+}
+
+/// `GpuCanopy` of canopy.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub struct GpuCanopy {
+    pub size: [f32; 4],
+    pub pose: [f32; 4],
+    pub tint: [f32; 4],
+    pub tint_mean: [f32; 4],
+    pub rows: [[f32; 4]; 6],
+    pub surfels: [GpuSurfel; 192],
+}
+
+impl GpuCanopy {
+    /// Of no grass.
+    pub fn empty() -> Self {
+        let mut canopy = Self::zeroed();
+        canopy.rows = [[0.0, 0.0, 0.0, 1.0]; 6];
+        canopy.tint_mean = [1.0; 4];
+        canopy
+    }
+}

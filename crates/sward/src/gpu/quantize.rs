@@ -178,6 +178,17 @@ fn root_openness(leaf_area_index: f32) -> f32 {
     (-0.8 * leaf_area_index).exp().clamp(0.12, 0.85)
 }
 
+/// Share of the sky that reaches the roots of a field.
+pub fn field_openness(field: &Field) -> f32 {
+    root_openness(leaf_area_index(field.blades(), field.patches()))
+}
+
+/// What the width is multiplied by at a level, so that the outline keeps its area.
+pub fn area_scale(species: &Species, level: usize) -> f32 {
+    let lost = if level <= 1 { 1.0 } else { folded_width(species.ridge) };
+    lost * outline_area(species.shape, 256) / outline_area(species.shape, SEGMENTS[level])
+}
+
 /// The species table of a field.
 pub fn species_table(field: &Field, plants: &PlantLayers) -> Vec<GpuSpecies> {
     let leaf_area = leaf_area_index(field.blades(), field.patches());
@@ -197,7 +208,6 @@ fn gpu_species(
     tint: f32,
 ) -> GpuSpecies {
     let range = |r: Range| [r.min, r.max - r.min];
-    let full = outline_area(species.shape, 256);
     let (shape, tip) = match species.shape {
         Shape::Quad => (0.0, 0.5),
         Shape::Triangle => (1.0, 0.5),
@@ -217,10 +227,7 @@ fn gpu_species(
         first_bucket: if has_flat_tip(species) { 4 } else { 0 },
         tint,
         form: [species.ridge, tip, root_openness(leaf_area_index), shape],
-        area_scale: std::array::from_fn(|level| {
-            let lost = if level <= 1 { 1.0 } else { folded_width(species.ridge) };
-            lost * full / outline_area(species.shape, SEGMENTS[level])
-        }),
+        area_scale: std::array::from_fn(|level| area_scale(species, level)),
         colors: [root.from, root.to, top.from, top.to].map(pack_color),
         look,
         look_values,

@@ -1,5 +1,6 @@
 //! The GPU pipeline as a host drives it, against the stages' CPU references.
 
+mod canopy;
 mod colliders;
 mod compaction;
 mod debugging;

@@ -1,17 +1,24 @@
 //! Settings of the whole scene: light, sky, gravity, culling.
 
 use super::plants;
-use crate::check::{Key, Problem};
+use crate::check::{Key, MAX_M, Problem};
 use crate::schema::{
-    CullingFile, GravityFile, PhysicsFile, SceneFile, SkyFile, SunFile, TechniqueFile,
+    CullingFile, DaylightFile, DepthOfFieldFile, FogFile, GravityFile, PhysicsFile, SceneFile,
+    SkyFile, SunFile, TechniqueFile,
 };
-use crate::{GroundSettings, ShadeSettings, SkySettings, SunSettings};
+use crate::{
+    Daylight, DepthOfFieldSettings, FogSettings, GroundSettings, ShadeSettings, SkySettings,
+    SunSettings,
+};
 use glam::Vec3;
 use sward::{Bands, Culling, Gravity, PhysicsModel, Technique};
 
 pub(super) struct Settings {
     pub(super) light: SunSettings,
     pub(super) sky: SkySettings,
+    pub(super) daylight: Option<Daylight>,
+    pub(super) fog: Option<FogSettings>,
+    pub(super) depth_of_field: Option<DepthOfFieldSettings>,
     pub(super) gravity: Gravity,
     pub(super) physics: PhysicsModel,
     pub(super) technique: Technique,
@@ -26,9 +33,18 @@ pub(super) struct Settings {
 impl Settings {
     pub(super) fn check(file: &SceneFile) -> Result<Self, Problem> {
         let ground = Key::name("ground");
+        let daylight = daylight(file)?;
+        let by_hand = || -> Result<_, Problem> {
+            let (sun_file, sky_file) = (file.sun.clone(), file.sky.clone());
+            Ok((sun(&sun_file.unwrap_or_default())?, sky(&sky_file.unwrap_or_default())?))
+        };
+        let (light, sky) = daylight.map_or_else(by_hand, |day| Ok(day.at(0.0)))?;
         Ok(Self {
-            light: sun(&file.sun)?,
-            sky: sky(&file.sky)?,
+            light,
+            sky,
+            daylight,
+            fog: file.fog.as_ref().map(fog).transpose()?,
+            depth_of_field: file.depth_of_field.as_ref().map(depth_of_field).transpose()?,
             gravity: gravity(&file.gravity)?,
             physics: match file.physics {
                 PhysicsFile::Sward => PhysicsModel::Sward,
@@ -51,6 +67,49 @@ impl Settings {
             fps: Key::name("fps").within(file.fps, 1.0, 1000.0)?,
         })
     }
+}
+
+fn daylight(file: &SceneFile) -> Result<Option<Daylight>, Problem> {
+    let Some(light) = &file.light else { return Ok(None) };
+    let key = Key::name("light");
+    for (name, given) in [("sun", file.sun.is_some()), ("sky", file.sky.is_some())] {
+        if given {
+            let cause = format!("it sets sun and sky by the time of day; leave out `{name}`");
+            return Err(key.problem(cause));
+        }
+    }
+    let DaylightFile { time_h, hours_per_s, latitude_deg, day_of_year, strength, haze_m } = *light;
+    let hours = |name, value: f64, least, most| {
+        key.at(name).within(value as f32, least, most).map(|_| value)
+    };
+    Ok(Some(Daylight {
+        time_h: hours("time_h", time_h, 0.0, 24.0)?,
+        hours_per_s: hours("hours_per_s", hours_per_s, -24.0, 24.0)?,
+        latitude_deg: key.at("latitude_deg").within(latitude_deg, -90.0, 90.0)?,
+        day_of_year: key.at("day_of_year").within(day_of_year, 1.0, 366.0)?,
+        strength: key.at("strength").within(strength, 0.0, 100.0)?,
+        haze_m: key.at("haze_m").above_zero(haze_m, f32::INFINITY)?,
+    }))
+}
+
+fn fog(fog: &FogFile) -> Result<FogSettings, Problem> {
+    let key = Key::name("fog");
+    let color = fog.color.map(|color| key.at("color").radiance(color, 1.0));
+    Ok(FogSettings {
+        color: color.transpose()?,
+        density_per_m: key.at("density_per_m").within(fog.density_per_m, 0.0, 10.0)?,
+        start_m: key.at("start_m").within(fog.start_m, 0.0, MAX_M)?,
+        base_m: key.at("base_m").within(fog.base_m, -MAX_M, MAX_M)?,
+        falloff_m: key.at("falloff_m").within(fog.falloff_m, 0.01, f32::INFINITY)?,
+    })
+}
+
+fn depth_of_field(lens: &DepthOfFieldFile) -> Result<DepthOfFieldSettings, Problem> {
+    let key = Key::name("depth_of_field");
+    Ok(DepthOfFieldSettings {
+        focus_m: key.at("focus_m").above_zero(lens.focus_m, MAX_M)?,
+        aperture_m: key.at("aperture_mm").within(lens.aperture_mm, 0.0, 10_000.0)? * 1e-3,
+    })
 }
 
 fn sun(sun: &SunFile) -> Result<SunSettings, Problem> {

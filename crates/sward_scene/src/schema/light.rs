@@ -59,6 +59,37 @@ impl Default for SkyFile {
     }
 }
 
+/// Sun and sky by the time of day, in place of `sun` and `sky`.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct DaylightFile {
+    /// Solar time at the scene's time 0, hours, 0..=24; default 10. At 12 the sun is highest.
+    pub time_h: f64,
+    /// Hours that pass in a second of the scene, -24..=24; default 0: the sun stands still.
+    pub hours_per_s: f64,
+    /// Latitude, -90..=90, north is positive; default 48.
+    pub latitude_deg: f32,
+    /// Day of the year, 1..=366; default 172, the northern midsummer.
+    pub day_of_year: f32,
+    /// Times the light of sun and sky, 0..=100; default 1.
+    pub strength: f32,
+    /// Distance at which haze hides 63 %, above 0; default `inf`, clear air.
+    pub haze_m: f32,
+}
+
+impl Default for DaylightFile {
+    fn default() -> Self {
+        Self {
+            time_h: 10.0,
+            hours_per_s: 0.0,
+            latitude_deg: 48.0,
+            day_of_year: 172.0,
+            strength: 1.0,
+            haze_m: f32::INFINITY,
+        }
+    }
+}
+
 /// Look of bare ground.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields, default)]

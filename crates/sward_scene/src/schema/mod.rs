@@ -5,6 +5,7 @@
 
 mod bodies;
 mod collide;
+mod effects;
 mod field;
 mod light;
 mod motion;
@@ -17,12 +18,14 @@ mod wind;
 
 pub use bodies::{BodiesFile, BodyShapeFile};
 pub use collide::{CollideFile, PackedFile};
+pub use effects::{DepthOfFieldFile, FogFile};
 pub use field::{
     ColorFile, DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile,
     SpeciesFile, TuftsFile,
 };
 pub use light::{
-    CullingFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile, TechniqueFile,
+    CullingFile, DaylightFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile,
+    TechniqueFile,
 };
 pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
@@ -58,10 +61,16 @@ pub struct SceneFile {
     pub spheres: Vec<SphereFile>,
     /// Rigid bodies, which fall, bounce, roll and push blades; default none.
     pub bodies: Vec<BodiesFile>,
-    /// The sun.
-    pub sun: SunFile,
-    /// Sky and haze.
-    pub sky: SkyFile,
+    /// The sun; default: a warm one at 38 degrees.
+    pub sun: Option<SunFile>,
+    /// Sky and haze; default: clear.
+    pub sky: Option<SkyFile>,
+    /// Sun and sky by the time of day, in place of `sun` and `sky`; default none.
+    pub light: Option<DaylightFile>,
+    /// Fog by distance; default none.
+    pub fog: Option<FogFile>,
+    /// Depth of field; default none: all is in focus.
+    pub depth_of_field: Option<DepthOfFieldFile>,
     /// Look of bare ground.
     pub ground: GroundFile,
     /// Gravity.
@@ -95,8 +104,11 @@ impl Default for SceneFile {
             ],
             spheres: Vec::new(),
             bodies: Vec::new(),
-            sun: SunFile::default(),
-            sky: SkyFile::default(),
+            sun: None,
+            sky: None,
+            light: None,
+            fog: None,
+            depth_of_field: None,
             ground: GroundFile::default(),
             gravity: GravityFile::default(),
             physics: PhysicsFile::default(),

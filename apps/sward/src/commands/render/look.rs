@@ -1,6 +1,7 @@
 //! What is shown beside or in place of the blades' own look: debug views with their legends, names,
 //! the frustum that blades were culled by.
 
+use super::places::Places;
 use crate::table::thousands;
 use anyhow::{Context, Result};
 use glam::{IVec2, Mat4, Vec2, Vec3, Vec4};
@@ -27,18 +28,24 @@ pub enum DebugChoice {
     Wireframe,
     /// The same, on the right half only
     HalfWireframe,
+    /// The target of world positions, by which fog and depth of field are laid
+    Position,
+    /// Distance from the eye, by the same target
+    Distance,
 }
 
 impl DebugChoice {
-    fn view(self) -> DebugView {
-        match self {
+    /// The library's view; none where the view is of something else.
+    fn view(self) -> Option<DebugView> {
+        Some(match self {
             Self::Patches => DebugView::Patches,
             Self::Culling => DebugView::Culling,
             Self::Level => DebugView::Level,
             Self::Awake => DebugView::Awake,
             Self::Crush => DebugView::Crush,
             Self::Wireframe | Self::HalfWireframe => DebugView::Wireframe,
-        }
+            Self::Position | Self::Distance => return None,
+        })
     }
 }
 
@@ -46,6 +53,7 @@ impl DebugChoice {
 #[derive(Debug, Default)]
 pub struct Look {
     debug: Option<DebugChoice>,
+    places: Places,
     /// Names, and the points under which they are written: where the roots end, towards +z.
     labels: Vec<(String, Vec3)>,
     clip_from_world: Mat4,
@@ -56,7 +64,12 @@ pub struct Look {
 impl Look {
     /// Sets what the stage has to know.
     pub fn prepare(debug: Option<DebugChoice>, options: &mut StageOptions) {
-        options.debug = debug.filter(|d| *d != DebugChoice::HalfWireframe).map(DebugChoice::view);
+        let whole = debug.filter(|d| *d != DebugChoice::HalfWireframe);
+        options.debug = whole.and_then(DebugChoice::view);
+        if debug.is_some() {
+            // The legend's colours are the picture's
+            (options.fog, options.depth_of_field) = (None, None);
+        }
     }
 
     /// `labels`: write the fields' names.
@@ -77,6 +90,7 @@ impl Look {
         let frustum = options.culling_camera.as_ref().map(|camera| edges(camera, aspect));
         Self {
             debug,
+            places: Places::new(scene, options),
             labels: named.map(label).collect(),
             clip_from_world: clip_from_world(&options.camera, aspect),
             frustum: frustum.unwrap_or_default(),
@@ -93,11 +107,20 @@ impl Look {
             stage.show(None)?;
             join_halves(&mut picture, &lines);
         }
+        let places = self.debug.filter(|debug| debug.view().is_none());
+        if let Some(debug) = places {
+            picture = self.places.picture(debug, picture.dimensions(), &stage.positions()?);
+        }
         self.draw_frustum(&mut picture);
         self.draw_labels(&mut picture);
         if let Some(debug) = self.debug {
-            let counted = statistics.context("the device gave no statistics back")?;
-            legend(debug, &counted).draw(&mut picture, Corner::TopLeft);
+            let legend = match debug.view() {
+                None => self.places.legend(debug),
+                Some(view) => {
+                    legend(view, &statistics.context("the device gave no statistics back")?)
+                }
+            };
+            legend.draw(&mut picture, Corner::TopLeft);
         }
         Ok(picture)
     }
@@ -195,8 +218,7 @@ fn srgb(linear: [f32; 3]) -> Color {
     })
 }
 
-fn legend(choice: DebugChoice, counted: &Statistics) -> Legend {
-    let view = choice.view();
+fn legend(view: DebugView, counted: &Statistics) -> Legend {
     let of_all = |n: u64| format!("{} of {}", thousands(n), thousands(counted.blades));
     let (title, counts): (String, Vec<u64>) = match view {
         DebugView::Patches => {
@@ -269,11 +291,11 @@ mod tests {
     fn every_view_has_a_legend_with_its_counts() {
         let counted =
             Statistics { blades: 5000, drawn_by_level: [1, 2, 3, 4], ..Default::default() };
-        let level = legend(DebugChoice::Level, &counted);
+        let level = legend(DebugView::Level, &counted);
         assert_eq!(level.entries[2].1, "2 segments: 3");
-        let culling = legend(DebugChoice::Culling, &counted);
+        let culling = legend(DebugView::Culling, &counted);
         assert!(culling.entries[1].1.contains("5,000 in unseen patches"), "{culling:?}");
-        assert!(legend(DebugChoice::Crush, &counted).bar.is_some());
+        assert!(legend(DebugView::Crush, &counted).bar.is_some());
     }
 
     /// Debug colours keep below what tone mapping bends: the legend's colours are the picture's.

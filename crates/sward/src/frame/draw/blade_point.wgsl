@@ -85,18 +85,15 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
     out.position = position;
     out.normal = normal + cut.side * ((corner.u - 0.5) * 1.4 * form.x);
-    // Tone and height along the blade are quadratic in v, so that `bend` moves them, too, onto the
-    // next level's edges. A chord of -v^2 lies below it by a sixth of its length squared on the mean:
-    // without this, blades of few segments are darker.
-    let chord = mix(1.0, 4.0, morph) / (6.0 * f32(SEGMENTS * SEGMENTS));
-    out.albedo = blade_color(blade, corner.v * (1.5 - 0.5 * corner.v) + 0.5 * (chord - ring.bend));
+    // Both are quadratic in v, so that `bend` moves them, too, onto the next level's edges
+    out.albedo = blade_color(blade, corner.v * (1.5 - 0.5 * corner.v) - 0.5 * ring.bend);
     out.up = blade.up;
     out.root_open = form.z;
     out.u = corner.u;
     out.thin = thin;
     out.shape = u32(form.w);
     // A blade at rest runs so along its curve parameter
-    out.height_share = corner.v * (2.0 - corner.v) + chord - ring.bend;
+    out.height_share = corner.v * (2.0 - corner.v) - ring.bend;
     out.lean = min(length(state.tip - blade.up * dot(state.tip, blade.up)), 1.0);
     return out;
 }

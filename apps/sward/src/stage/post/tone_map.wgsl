@@ -25,7 +25,7 @@ fn srgb_encode(linear: vec3<f32>) -> vec3<f32> {
 }
 
 @fragment
-fn post(in: Fullscreen) -> @location(0) vec4<f32> {
+fn tone_map(in: Fullscreen) -> @location(0) vec4<f32> {
     let light = textureLoad(color, vec2<i32>(in.position.xy), 0).rgb * frame.exposure;
     return vec4(srgb_encode(clamp(tone_map_pbr_neutral(light), vec3(0.0), vec3(1.0))), 1.0);
 }

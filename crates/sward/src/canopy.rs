@@ -1,0 +1,159 @@
+//! Grass as a whole: what a field looks like from so far that no blade is told apart.
+//!
+//! Where the continuum of levels ends, nothing of the grass is drawn, and the host's ground shows its
+//! look. For that a host asks a field for its [`Canopy`], gives [`Canopy::uniform`] to its ground's
+//! shader, joins [`WGSL`] to that shader, and mixes what `canopy_radiance` gives into the ground's
+//! colour by `canopy_on_ground`. The same text lights the last level that is drawn.
+//!
+//! ```wgsl
+//! // What the text needs. `frame` may have more members; of these, `w` is not read
+//! struct Frame { to_sun: vec4<f32>, sun: vec4<f32>, sky: vec4<f32>, ground: vec4<f32>, haze: vec4<f32> }
+//! @group(0) @binding(0) var<uniform> frame: Frame;
+//! @group(1) @binding(0) var<uniform> canopy: GpuCanopy;
+//!
+//! // In the ground's fragment: up the surface's normal, focal_px the pixels of a metre 1 m away
+//! let gone = canopy_gone(canopy.size.z * focal_px / distance);
+//! let share = canopy_on_ground(canopy_coverage(up, to_eye), gone);
+//! color = mix(color, canopy_radiance(up, to_eye, 0.0, 0.0), share);
+//! ```
+//! `to_sun` is the unit direction to the sun; `sun`, `sky`, `ground` and `haze` are those of
+//! [`crate::Light`], `haze.w` its share a metre.
+
+use crate::Field;
+use crate::bake::canopy::canopy;
+use crate::bake::cover::{ROWS, Shown};
+use crate::bake::stand::Stands;
+use crate::bake::surfels::{SURFELS, Weighted, depth_shade, group};
+use crate::gpu::layout::GpuCanopy;
+use glam::Vec3;
+
+/// The light on grass as a whole: structs `GpuCanopy`, `GpuSurfel` and `BladeSurface`, and the
+/// functions `canopy_radiance(up, to_eye, lean, shaded)`, `canopy_coverage(up, to_eye)`,
+/// `canopy_gone(height_px)`, `canopy_on_ground(coverage, gone)` and `canopy_tint(own)`, with what
+/// they call. It declares no binding; see the module's page for what it needs.
+pub const WGSL: &str = concat!(
+    include_str!("frame/light/light.wgsl"),
+    include_str!("frame/light/canopy.wgsl"),
+    include_str!("frame/light/end.wgsl")
+);
+
+/// Least share of the ground that is taken to show.
+const LEAST_OPEN: f32 = 1e-4;
+
+/// A field's look as a whole: colours, coverage and what shows, by elevation of view. Found on the
+/// CPU, from some hundred of the field's blades at rest (about 0.1 s), fitted to the means of the
+/// field; the same for any number of threads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Canopy {
+    gpu: GpuCanopy,
+}
+
+impl Canopy {
+    /// No grass: covers nothing.
+    pub fn none() -> Self {
+        Self { gpu: GpuCanopy::empty() }
+    }
+
+    /// Mean length of a blade, metres.
+    pub fn height_m(&self) -> f32 {
+        self.gpu.size[2]
+    }
+
+    /// Share of the ground that the grass hides, 0..=1, from an elevation whose sine is `sine`: 1
+    /// straight from above, 0 from the horizon.
+    pub fn coverage(&self, sine: f32) -> f32 {
+        let last = ROWS as f32 - 1.0;
+        let row = (last + sine.abs().max(1e-3).log2()).clamp(0.0, last);
+        let low = (row as usize).min(ROWS - 2);
+        let open = |row: usize| self.gpu.rows[row][3];
+        1.0 - (open(low) + (open(low + 1) - open(low)) * (row - low as f32))
+    }
+
+    /// Mean reflectance of what shows from straight above, linear RGB, each blade as dark as its
+    /// depth between the others makes it.
+    pub fn color(&self) -> [f32; 3] {
+        let [r, g, b, _] = self.gpu.rows[ROWS - 1];
+        [r, g, b]
+    }
+
+    /// What a uniform buffer of type `GpuCanopy` holds.
+    pub fn uniform(&self) -> &[u8] {
+        bytemuck::bytes_of(&self.gpu)
+    }
+
+    /// Of fields that grow among each other on one surface: the lower is hidden by the taller.
+    pub fn together(canopies: &[Self]) -> Self {
+        match canopies {
+            [] => Self::none(),
+            [one] => *one,
+            several => Self { gpu: together(several) },
+        }
+    }
+
+    fn depth(&self, row: usize) -> f32 {
+        -self.gpu.rows[row][3].max(LEAST_OPEN).ln()
+    }
+}
+
+impl Field {
+    /// What the field looks like as a whole. Takes about 0.1 s: ask once.
+    pub fn canopy(&self) -> Canopy {
+        Canopy { gpu: canopy(&Stands::of(self), None) }
+    }
+}
+
+fn together(canopies: &[Canopy]) -> GpuCanopy {
+    let mut sum = GpuCanopy::empty();
+    // Lengths and the light at the roots by how much of each field there is, seen from above
+    let total: f32 = canopies.iter().map(|c| c.depth(ROWS - 1)).sum::<f32>().max(1e-12);
+    let part = |c: &Canopy| c.depth(ROWS - 1) / total;
+    let mean = |of: &dyn Fn(&GpuCanopy) -> [f32; 4]| {
+        canopies.iter().fold([0.0; 4], |sum, c| {
+            let own = of(&c.gpu);
+            std::array::from_fn(|i| sum[i] + own[i] * part(c))
+        })
+    };
+    sum.size = mean(&|c| c.size);
+    sum.pose = mean(&|c| c.pose);
+    sum.tint = mean(&|c| c.tint);
+    sum.tint_mean = mean(&|c| c.tint_mean);
+    for row in 0..ROWS {
+        let open: f32 = canopies.iter().map(|c| c.gpu.rows[row][3]).product();
+        let places = shown_of_all(canopies, row, sum.size[3]);
+        let weight: f32 = places.iter().map(|p| p.weight).sum::<f32>().max(1e-12);
+        let tone: Vec3 = (places.iter())
+            .map(|p| p.shown.albedo * (p.weight * depth_shade(p.shown.height_share, sum.size[3])))
+            .sum();
+        sum.rows[row] = (tone / weight).extend(open).to_array();
+        sum.surfels[row * SURFELS..(row + 1) * SURFELS]
+            .copy_from_slice(&group(&places, sum.size[3]));
+    }
+    sum
+}
+
+/// What shows of all fields from an elevation, each hidden by the parts of the others that are above.
+fn shown_of_all(canopies: &[Canopy], row: usize, root_open: f32) -> Vec<Weighted> {
+    let mut places = Vec::new();
+    for (own, canopy) in canopies.iter().enumerate() {
+        for surfel in &canopy.gpu.surfels[row * SURFELS..(row + 1) * SURFELS] {
+            let at = surfel.height_share * canopy.height_m();
+            let above = |other: &Canopy| (1.0 - at / other.height_m().max(1e-6)).max(0.0);
+            let hidden: f32 = (canopies.iter().enumerate())
+                .filter(|(i, _)| *i != own)
+                .map(|(_, other)| other.depth(row) * above(other))
+                .sum();
+            // As bright at its height in the light that reaches these roots
+            let shade = depth_shade(surfel.height_share, canopy.gpu.size[3])
+                / depth_shade(surfel.height_share, root_open).max(1e-6);
+            let shown = Shown {
+                normal: surfel.normal.into(),
+                albedo: Vec3::from(surfel.albedo) * shade,
+                height_share: surfel.height_share,
+            };
+            let weight = surfel.weight * canopy.depth(row) * (-hidden).exp();
+            places.push(Weighted { shown, weight });
+        }
+    }
+    places.retain(|place| place.weight > 0.0);
+    places
+}

@@ -1,0 +1,282 @@
+//! The canopy's light, by its shipped text, against the mean of the blades' own light.
+
+use super::rig::shared;
+use crate::bake::color::{tone_at, tones};
+use crate::bake::cover::{Cover, look, sine};
+use crate::bake::stand::{Stand, Stands};
+use crate::gpu::shaders::Shader;
+use crate::gpu::test_device;
+use crate::plants::layers::PlantLayers;
+use crate::{Canopy, Field, FieldDesc, Light, Mesh, Surface, canopy};
+use glam::{UVec2, Vec2, Vec3};
+use wgpu::util::DeviceExt;
+
+const FRAME: &str = "
+struct Frame { to_sun: vec4<f32>, sun: vec4<f32>, sky: vec4<f32>, ground: vec4<f32>, haze: vec4<f32> }
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<uniform> canopy: GpuCanopy;
+@group(0) @binding(2) var<storage, read> given: array<vec4<f32>>;
+@group(0) @binding(3) var<storage, read_write> found: array<vec4<f32>>;
+";
+
+/// The radiance of a canopy from directions (`xyz`), and that of surfaces: three vectors each, the
+/// direction; normal and height; albedo and lean.
+const RUN: &str = "
+@compute @workgroup_size(1)
+fn of_canopy(@builtin(global_invocation_id) id: vec3<u32>) {
+    let up = vec3<f32>(0.0, 1.0, 0.0);
+    let eye = given[id.x].xyz;
+    found[id.x] = vec4<f32>(canopy_radiance(up, eye, 0.0, 0.25), canopy_coverage(up, eye));
+}
+
+@compute @workgroup_size(1)
+fn of_blades(@builtin(global_invocation_id) id: vec3<u32>) {
+    let normal = given[3u * id.x + 1u];
+    let albedo = given[3u * id.x + 2u];
+    let up = vec3<f32>(0.0, 1.0, 0.0);
+    let surface =
+        BladeSurface(albedo.xyz, normal.xyz, up, normal.w, canopy.size.w, albedo.w, 0.25, 0.0, 0.0);
+    found[id.x] = vec4<f32>(shade_blade(surface, given[3u * id.x].xyz), 1.0);
+}
+";
+
+fn light(to_sun: Vec3) -> Light {
+    Light { to_sun: to_sun.normalize(), ..Light::default() }
+}
+
+/// Runs an entry point on `given`; so many results.
+fn run(entry: &str, canopy: &Canopy, light: &Light, given: &[[f32; 4]], count: usize) -> Vec<Vec3> {
+    let (device, queue) = shared();
+    let source = format!("{}{FRAME}{RUN}", canopy::WGSL);
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: None,
+        source: wgpu::ShaderSource::Wgsl(source.into()),
+    });
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: None,
+        layout: None,
+        module: &module,
+        entry_point: Some(entry),
+        compilation_options: Default::default(),
+        cache: None,
+    });
+    use wgpu::BufferUsages as U;
+    let buffer = |contents: &[u8], usage| {
+        let usage = usage | U::COPY_SRC;
+        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: None,
+            contents,
+            usage,
+        })
+    };
+    let v = |v: Vec3| v.extend(0.0).to_array();
+    let values = [v(light.to_sun), v(light.sun), v(light.sky), v(light.ground), v(light.haze)];
+    let output = buffer(&vec![0; count * 16], U::STORAGE);
+    let buffers = [
+        buffer(bytemuck::cast_slice(&values), U::UNIFORM),
+        buffer(canopy.uniform(), U::UNIFORM),
+        buffer(bytemuck::cast_slice(given), U::STORAGE),
+    ];
+    // An automatic layout has what the entry point uses
+    let all: Vec<_> = (0..).zip(buffers.iter().chain([&output])).collect();
+    let entries: Vec<_> = all
+        .iter()
+        .map(|(binding, b)| wgpu::BindGroupEntry {
+            binding: *binding,
+            resource: b.as_entire_binding(),
+        })
+        .collect();
+    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &entries,
+    });
+    let mut encoder = device.create_command_encoder(&Default::default());
+    let mut pass = encoder.begin_compute_pass(&Default::default());
+    pass.set_pipeline(&pipeline);
+    pass.set_bind_group(0, &group, &[]);
+    pass.dispatch_workgroups(count as u32, 1, 1);
+    drop(pass);
+    queue.submit([encoder.finish()]);
+    let found: Vec<[f32; 4]> = test_device::read(&device, &queue, &output);
+    found.iter().map(|f| Vec3::new(f[0], f[1], f[2])).collect()
+}
+
+fn meadow() -> Field {
+    let mesh = Mesh::plane(Vec2::splat(15.0), UVec2::ONE).expect("a plane");
+    let surface = Surface::new(mesh).expect("a surface");
+    Field::grow(&surface, &FieldDesc { density: 300.0, ..Default::default() }).expect("a field")
+}
+
+/// All that shows from an elevation, with the mean lean, as `of_blades` takes it.
+fn all_that_shows(stands: &Stands, row: usize, to_eye: Vec3) -> Vec<[f32; 4]> {
+    let toward = Vec3::new(to_eye.x, 0.0, to_eye.z).normalize();
+    let right = Vec3::Y.cross(toward);
+    let mut cover = Cover::default();
+    let mut lean = 0.0;
+    for (i, stand) in stands.stands.iter().enumerate() {
+        let stand: Stand = stand.clone().fitted(usize::MAX, &stands.means);
+        lean += stand.blades.iter().map(|b| b.lean).sum::<f32>()
+            / (stand.blades.len() * stands.stands.len()) as f32;
+        let list = stand.triangles(usize::MAX, true);
+        cover = cover.with(look(&stand, &list, 0.4 + 1.7 * i as f32, row));
+    }
+    cover
+        .shown
+        .iter()
+        .flat_map(|s| {
+            let n = right * s.normal.x + Vec3::Y * s.normal.y + toward * s.normal.z;
+            [to_eye.extend(0.0), n.extend(s.height_share), s.albedo.extend(lean)]
+        })
+        .map(|v| v.to_array())
+        .collect()
+}
+
+/// Few representatives give the mean of the light on all that shows, for suns high and low, before
+/// the eye and behind it.
+#[test]
+fn canopy_light_is_the_mean_of_the_blades() {
+    let field = meadow();
+    let stands = Stands::of(&field);
+    let canopy = field.canopy();
+    let suns = [Vec3::new(0.3, 1.0, 0.2), Vec3::new(0.8, 0.3, 0.0), Vec3::new(-0.2, 0.4, -0.9)];
+    let mut worst = 0.0_f32;
+    for row in [0, 2, 4] {
+        let s = sine(row);
+        let to_eye = Vec3::new(0.6 * (1.0 - s * s).sqrt(), s, 0.8 * (1.0 - s * s).sqrt());
+        for sun in suns {
+            let given = all_that_shows(&stands, row, to_eye);
+            let each = run("of_blades", &canopy, &light(sun), &given, given.len() / 3);
+            let mean = each.iter().sum::<Vec3>() / each.len() as f32;
+            let found =
+                run("of_canopy", &canopy, &light(sun), &[to_eye.extend(0.0).to_array()], 1)[0];
+            let off = (found / mean - 1.0).abs().max_element();
+            println!("elevation {row}, sun {sun}: {found} of {mean}, {:.2} %", off * 100.0);
+            worst = worst.max(off);
+        }
+    }
+    assert!(worst < 0.03, "{worst}");
+}
+
+/// `Canopy::coverage` is the shader's.
+#[test]
+fn structs_of_the_canopy_agree() {
+    let source = format!("{}{FRAME}", canopy::WGSL);
+    let module = naga::front::wgsl::parse_str(&source).expect("valid");
+    let size = |name: &str| {
+        module.types.iter().find_map(|(_, ty)| match &ty.inner {
+            naga::TypeInner::Struct { span, .. } if ty.name.as_deref() == Some(name) => Some(*span),
+            _ => None,
+        })
+    };
+    use crate::gpu::layout::{GpuCanopy, GpuSurfel};
+    assert_eq!(size("GpuCanopy"), Some(size_of::<GpuCanopy>() as u32));
+    assert_eq!(size("GpuSurfel"), Some(size_of::<GpuSurfel>() as u32));
+}
+
+/// The colours that are baked are those that blades are drawn in, by the shipped text.
+#[test]
+fn baked_colors_are_the_blades() {
+    let (device, queue) = shared();
+    let ids = [0_u32, 1, 77, 4000, 123_456];
+    let tone_list = [0.0_f32, 0.3, 1.0];
+    let entry = "
+@group(3) @binding(0) var<storage, read_write> colors: array<vec4<f32>>;
+@compute @workgroup_size(1)
+fn of_colors(@builtin(global_invocation_id) id: vec3<u32>) {
+    var ids = array<u32, 5>(0u, 1u, 77u, 4000u, 123456u);
+    var tones = array<f32, 3>(0.0, 0.3, 1.0);
+    var blade: Blade;
+    blade.id = ids[id.x];
+    for (var i = 0u; i < 3u; i++) {
+        colors[id.x * 3u + i] = vec4<f32>(blade_color(blade, tones[i]), 1.0);
+    }
+}
+";
+    let source = format!("{}{entry}", Shader::Draw.source());
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: None,
+        source: wgpu::ShaderSource::Wgsl(source.into()),
+    });
+    for tinted in [false, true] {
+        colors_agree(&device, &queue, &module, tinted, (&ids, &tone_list));
+    }
+}
+
+fn colors_agree(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    module: &wgpu::ShaderModule,
+    tinted: bool,
+    (ids, tone_list): (&[u32], &[f32]),
+) {
+    let constants = [("TINTED", f64::from(u8::from(tinted)))];
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: None,
+        layout: None,
+        module,
+        entry_point: Some("of_colors"),
+        compilation_options: wgpu::PipelineCompilationOptions {
+            constants: &constants,
+            ..Default::default()
+        },
+        cache: None,
+    });
+    use wgpu::BufferUsages as U;
+    let buffer = |contents: &[u8], usage| {
+        let usage = usage | U::COPY_SRC;
+        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: None,
+            contents,
+            usage,
+        })
+    };
+    let field = meadow();
+    let mut table =
+        crate::gpu::quantize::species_table(&field, &PlantLayers::new(std::iter::empty()));
+    table[0].tint = 0.6;
+    let packed = crate::gpu::quantize::pack_color([0.3, 0.2, 0.7]);
+    let surface = Vec3::from(crate::gpu::quantize::unpack_color(packed));
+    let counts = [1_u32, 1, 64, 0];
+    let buffers = [
+        (0, buffer(bytemuck::cast_slice(&counts), U::UNIFORM)),
+        (1, buffer(bytemuck::cast_slice(&table), U::UNIFORM)),
+        (5, buffer(bytemuck::cast_slice(&vec![packed; 123_457]), U::STORAGE)),
+    ];
+    let group = |set: u32, entries: &[(u32, &wgpu::Buffer)]| {
+        let entries: Vec<_> = (entries.iter())
+            .map(|(binding, b)| wgpu::BindGroupEntry {
+                binding: *binding,
+                resource: b.as_entire_binding(),
+            })
+            .collect();
+        device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &pipeline.get_bind_group_layout(set),
+            entries: &entries,
+        })
+    };
+    let output = buffer(&vec![0; ids.len() * tone_list.len() * 16], U::STORAGE);
+    let all: Vec<_> = buffers.iter().map(|(i, b)| (*i, b)).collect();
+    // An automatic layout has what the entry point uses
+    let (own, result) = (group(1, &all), group(3, &[(0, &output)]));
+    let mut encoder = device.create_command_encoder(&Default::default());
+    let mut pass = encoder.begin_compute_pass(&Default::default());
+    pass.set_pipeline(&pipeline);
+    pass.set_bind_group(1, &own, &[]);
+    pass.set_bind_group(3, &result, &[]);
+    pass.dispatch_workgroups(ids.len() as u32, 1, 1);
+    drop(pass);
+    queue.submit([encoder.finish()]);
+    let found: Vec<[f32; 4]> = test_device::read(device, queue, &output);
+    for (i, &id) in ids.iter().enumerate() {
+        let own = tones(&field.species()[0], id, if tinted { 0.6 } else { 0.0 }).on(surface);
+        for (k, &tone) in tone_list.iter().enumerate() {
+            let expected = own[0].lerp(own[1], tone);
+            let at = found[i * tone_list.len() + k];
+            let off = (Vec3::new(at[0], at[1], at[2]) - expected).abs().max_element();
+            assert!(off < 1e-4, "blade {id}, tone {tone}: {at:?} of {expected}");
+        }
+    }
+    assert_eq!(tone_at(1.0), 1.0);
+}
