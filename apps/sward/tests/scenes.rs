@@ -44,6 +44,7 @@ scenes! {
     planet [],
     reference [],
     shapes [],
+    strips [],
     tornado [],
 }
 

@@ -47,6 +47,7 @@ impl DebugView {
                 ("4 segments", [0.72, 0.5, 0.05]),
                 ("2 segments", [0.12, 0.5, 0.1]),
                 ("1 segment", [0.06, 0.2, 0.7]),
+                ("cluster of 32", [0.6, 0.1, 0.55]),
             ],
             Self::Awake => &[
                 ("moved, seen", [0.16, 0.5, 0.08]),

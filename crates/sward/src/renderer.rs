@@ -6,6 +6,7 @@ use crate::frame::cull::Cull;
 use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
 use crate::frame::draw::mesh::vertices_by_bucket;
+use crate::frame::sweep::patches::SweepStage;
 use crate::frame::update::{Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
@@ -17,12 +18,15 @@ use crate::gpu::view::{check_view, gpu_view};
 use crate::plants::layers::PlantLayers;
 use crate::{Error, Field, Frame, PhysicsModel, Statistics, Technique, View};
 
+mod baked;
 mod clock;
 mod debugging;
 mod inputs;
 mod layouts;
 mod saved;
+mod sweeping;
 
+use baked::Unbaked;
 use clock::Clock;
 use inputs::Inputs;
 pub(crate) use layouts::Layouts;
@@ -86,12 +90,15 @@ pub struct Renderer {
     update: Update,
     compact: Compact,
     draw: Draw,
+    /// Made when a view first sweeps.
+    sweep: Option<SweepStage>,
     /// Made when a view first asks for a debug view.
     debug: Option<Debug>,
     inputs: Inputs,
     clock: Clock,
     model: PhysicsModel,
     pages: Vec<Page>,
+    unbaked: Vec<Unbaked>,
     totals: Statistics,
     read_back: ReadBack,
     /// Content of pictures that the next frame sends.
@@ -114,11 +121,13 @@ impl Renderer {
             update: Update::new(device, &layouts),
             compact: Compact::new(device, &layouts),
             draw: Draw::new(device, &layouts, targets),
+            sweep: None,
             debug: None,
             inputs: Inputs::new(device, &layouts),
             clock: Clock::default(),
             model: PhysicsModel::default(),
             pages: Vec::new(),
+            unbaked: Vec::new(),
             totals: Statistics::default(),
             read_back: ReadBack::default(),
             uploads: Vec::new(),
@@ -152,6 +161,7 @@ impl Renderer {
         let patches_a_page = (limits::page_blades(&available, field.patch_size())
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
+        let first_page = self.pages.len();
         let plants = PlantLayers::new(field.species().iter().filter_map(|s| s.form.look()));
         plants.check(&available)?;
         let species = species_table(field, &plants);
@@ -170,6 +180,10 @@ impl Renderer {
                 ticks,
             );
             self.pages.push(page);
+        }
+        if count > 0 {
+            let pages = first_page..self.pages.len();
+            self.unbaked.push(Unbaked::new(field, pictures, pages));
         }
         self.inputs.forget_lists();
         self.totals.blades += count;
@@ -270,6 +284,7 @@ impl Renderer {
     ) -> Result<(), Error> {
         check_view(view)?;
         self.send_pictures(encoder);
+        self.bake(device, encoder, view.technique);
         for page in 0..self.pages.len() {
             // Views are numbered without gaps
             for earlier in self.pages[page].views.len()..index {
@@ -278,8 +293,9 @@ impl Renderer {
             let all = self.pages[page].field.blade_count;
             self.ensure_view(device, page, index, Some(view.max_blades.unwrap_or(all)));
             self.ensure_pipelines(device, page, index, view.technique);
+            let mut uniform = gpu_view(view, self.pages[page].views[index].capacity);
+            self.prepare_sweep(device, encoder, (page, index), view, &mut uniform);
             let lists = &self.pages[page].views[index];
-            let uniform = gpu_view(view, lists.capacity);
             buffers::write(device, encoder, &lists.view, bytemuck::bytes_of(&uniform));
         }
         Ok(())
@@ -312,6 +328,9 @@ impl Renderer {
             pass.set_bind_group(0, self.inputs.group(), &[]);
             pass.set_bind_group(1, &page.group, &[]);
             pass.set_bind_group(3, depth.as_ref().unwrap_or(&self.layouts.no_depth), &[]);
+            if stage == Stage::PatchCull {
+                self.encode_sweep(&mut pass, page, lists, view);
+            }
             let mut update = |work| self.update.encode(&mut pass, page, lists, work, multisampled);
             match stage {
                 Stage::PatchCull => self.cull.encode(&mut pass, page, lists),
@@ -387,6 +406,7 @@ impl Renderer {
     /// Forgets every field.
     pub(crate) fn clear(&mut self) {
         self.pages.clear();
+        self.unbaked.clear();
         self.totals = Statistics::default();
     }
 }

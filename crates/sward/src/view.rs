@@ -65,7 +65,7 @@ pub struct View<'a> {
     pub width_correction: bool,
     /// Most blades to list; `None` has room for all (4 bytes a blade of the field and view). What
     /// does not fit is dropped and counted. Kept first are pointed blades, nearest level first, then
-    /// flat-tipped ones likewise.
+    /// flat-tipped ones likewise, then clusters, strips, billboards.
     pub max_blades: Option<u32>,
 }
 

@@ -1,6 +1,6 @@
 //! Which draw lists the plants of a page may be in.
 
-use super::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET};
+use super::layout::{BILLBOARD_BUCKETS, BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET, STRIP_BUCKETS};
 use super::quantize::has_flat_tip;
 use crate::{Form, Look, Species, Technique};
 
@@ -12,8 +12,14 @@ impl Buckets {
     /// Those that plants of these species may be in, in a view of that technique.
     pub fn of(species: &[Species], technique: Technique) -> Self {
         match technique {
-            Technique::Blades | Technique::Strips => Self::blades(species.iter()),
-            Technique::Billboards | Technique::Continuum => Self::bands(species),
+            Technique::Blades => Self::blades(species.iter()),
+            Technique::Strips => Self::strips(),
+            Technique::Billboards => Self::bands(species),
+            Technique::Continuum => {
+                let strips = species.iter().any(|s| matches!(s.form, Form::Strip(_)));
+                let strips = if strips { Self::strips().0 } else { 0 };
+                Self(Self::bands(species).0 | strips | 1 << CLUSTER_BUCKET)
+            }
         }
     }
 
@@ -35,9 +41,9 @@ impl Buckets {
         Self(blades.0 | quads | models)
     }
 
-    /// Of these, those of single blades.
-    pub fn blades_only(self) -> Self {
-        Self(self.0 & ((1 << BLADE_BUCKETS) - 1))
+    /// Every plant a strip.
+    fn strips() -> Self {
+        Self(STRIP_BUCKETS.iter().fold(0, |all, bucket| all | 1 << bucket))
     }
 
     /// In order.

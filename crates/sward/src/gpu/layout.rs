@@ -72,6 +72,7 @@ pub struct GpuFrame {
     pub sky: [f32; 4],
     pub ground: [f32; 4],
     pub haze: [f32; 4],
+    pub sway: [f32; 4],
     pub shade: [f32; 4],
     pub dt_s: f32,
     pub gravity_blend: f32,
@@ -95,6 +96,7 @@ pub struct GpuField {
     pub patch_count: u32,
     pub patch_size: u32,
     pub first_id: u32,
+    pub cluster: [f32; 4],
 }
 
 /// `GpuPatch` of field.wgsl.
@@ -104,7 +106,7 @@ pub struct GpuPatch {
     pub origin: [f32; 3],
     pub edge: f32,
     pub reach_min: [f32; 3],
-    pub reserved: f32,
+    pub cell: u32,
     pub reach_max: [f32; 3],
     pub max_width: f32,
 }
@@ -145,12 +147,16 @@ pub struct GpuView {
     pub flags: u32,
     pub capacity: u32,
     pub level_height: [f32; 2],
-    pub cluster_width: [f32; 2],
+    pub cluster_height: [f32; 2],
     pub technique: u32,
+    pub least_cluster: f32,
     pub far_share: f32,
     pub far_size: f32,
-    pub reserved: u32,
     pub bands: [f32; 4],
+    pub level_scale: f32,
+    pub reserved_a: f32,
+    pub reserved_b: f32,
+    pub reserved_c: f32,
 }
 
 /// `GpuBand` of band.wgsl.

@@ -12,6 +12,8 @@ use super::pictures::Pictures;
 use super::quantize::{gpu_patch, pack_blade};
 use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
 use crate::frame::draw::pipelines::Variant;
+use crate::frame::sweep::grid::Grid;
+use crate::frame::sweep::patches::{NO_CELL, PatchSweep, patch_grid};
 use crate::renderer::Layouts;
 use crate::{Field, PhysicsModel, Shape, Technique};
 use bytemuck::Zeroable;
@@ -52,6 +54,8 @@ pub struct ViewLists {
     pub compact: wgpu::BindGroup,
     /// Group 2 of drawing.
     pub draw: wgpu::BindGroup,
+    /// What the view's sweep writes.
+    pub sweep: PatchSweep,
     bytes: u64,
 }
 
@@ -60,6 +64,8 @@ pub struct ViewLists {
 pub struct Page {
     /// Counts.
     pub field: GpuField,
+    /// Cells of its patches, where it lies about level.
+    pub grid: Option<Grid>,
     /// Of everything that does not change.
     pub fingerprint: u64,
     /// Which draw lists its plants may be in, by technique.
@@ -84,6 +90,8 @@ pub struct Page {
     /// Bucket, morph and fade of each blade, two a word.
     pub decisions: wgpu::Buffer,
     blocks: wgpu::Buffer,
+    /// Bindings 0 to 5 of drawing.
+    drawn: [wgpu::Buffer; 6],
     /// Group 1 of the compute stages.
     pub group: wgpu::BindGroup,
     /// Group 1 of drawing.
@@ -117,6 +125,7 @@ struct Packed {
     /// A colour a blade; one that is never read where the field has none.
     tints: Vec<u32>,
     patches: Vec<GpuPatch>,
+    grid: Option<Grid>,
 }
 
 impl Packed {
@@ -134,6 +143,7 @@ impl Packed {
 /// Packs a run of patches.
 fn pack(field: &Field, first_patch: usize, patch_count: usize) -> Packed {
     let patches = &field.patches()[first_patch..first_patch + patch_count];
+    let cells = patch_grid(patches);
     let blades = patches
         .par_iter()
         .flat_map_iter(|patch| {
@@ -149,11 +159,25 @@ fn pack(field: &Field, first_patch: usize, patch_count: usize) -> Packed {
             patch_count: patch_count as u32,
             patch_size: field.patch_size(),
             first_id: patches.first().map_or(0, |p| p.first),
+            cluster: [0.0; 4],
         },
-        patches: patches.iter().map(|p| gpu_patch(p, field.blades())).collect(),
+        patches: gpu_patches(field, patches, cells.as_ref()),
+        grid: cells.map(|(grid, _)| grid),
         tints: tints(field, patches),
         blades,
     }
+}
+
+fn gpu_patches(
+    field: &Field,
+    patches: &[crate::grow::Patch],
+    cells: Option<&(Grid, Vec<u32>)>,
+) -> Vec<GpuPatch> {
+    let own = |(i, patch)| {
+        let cell = cells.and_then(|(_, cells)| cells.get(i)).copied().unwrap_or(NO_CELL);
+        GpuPatch { cell, ..gpu_patch(patch, field.blades()) }
+    };
+    patches.iter().enumerate().map(own).collect()
 }
 
 fn tints(field: &Field, patches: &[crate::grow::Patch]) -> Vec<u32> {
@@ -168,15 +192,14 @@ fn tints(field: &Field, patches: &[crate::grow::Patch]) -> Vec<u32> {
     tints
 }
 
-/// Group 1 of drawing: uniforms and buffers, the bands last; pictures lie between them.
+/// Group 1 of drawing.
 fn draw_group(
     device: &wgpu::Device,
     layouts: &Layouts,
-    buffers: [&wgpu::Buffer; 7],
+    (drawn, bands): (&[wgpu::Buffer; 6], &wgpu::Buffer),
     pictures: &Pictures,
 ) -> wgpu::BindGroup {
     use wgpu::BindingResource::{Sampler, TextureView};
-    let [drawn @ .., bands] = buffers;
     let mut resources: Vec<_> = drawn.iter().map(|b| b.as_entire_binding()).collect();
     resources.extend([
         TextureView(&pictures.cluster_color),
@@ -185,7 +208,7 @@ fn draw_group(
         TextureView(&pictures.plant_normal),
         Sampler(&pictures.sampler),
         bands.as_entire_binding(),
-        pictures.surfels.as_entire_binding(),
+        pictures.canopy.as_entire_binding(),
         TextureView(&pictures.plant_models),
     ]);
     bindings::group(device, "sward.draw_field", &layouts.draw_field, &resources)
@@ -229,11 +252,13 @@ impl Page {
         let decisions = store("sward.decisions", band_count * u64::from(BAND) * 2);
         let blocks = store("sward.blocks", block_count * size_of::<GpuBlock>() as u64);
         let shared = [&field_uniform, &species, &blades, &patches];
-        let drawn = [&field_uniform, &species, &blades, &patches, &dynamics, &tints, &bands];
+        let drawn =
+            [&field_uniform, &species, &blades, &patches, &dynamics, &tints].map(Clone::clone);
         let sized =
             [&blades, &tints, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
         Self {
             field: counts,
+            grid: packed.grid,
             fingerprint,
             buckets: Technique::ALL.map(|technique| Buckets::of(field.species(), technique)),
             variant: Variant {
@@ -241,7 +266,7 @@ impl Page {
                 tinted: !field.tints().is_empty(),
             },
             group: bindings::buffers(device, "sward.field", &layouts.field, &shared),
-            draw_group: draw_group(device, layouts, drawn, pictures),
+            draw_group: draw_group(device, layouts, (&drawn, &bands), pictures),
             collide: bindings::buffers(
                 device,
                 "sward.collide",
@@ -260,6 +285,7 @@ impl Page {
             work_reset,
             decisions,
             blocks,
+            drawn,
         }
     }
 
@@ -323,6 +349,20 @@ impl Page {
         write(device, encoder, &self.bands, bytemuck::cast_slice(&clocks));
     }
 
+    /// Gives it what was baked of its field: the size of its clusters, and pictures.
+    pub fn set_baked(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        layouts: &Layouts,
+        cluster: [f32; 4],
+        pictures: &Pictures,
+    ) {
+        self.field.cluster = cluster;
+        write(device, encoder, &self.drawn[0], bytemuck::bytes_of(&self.field));
+        self.draw_group = draw_group(device, layouts, (&self.drawn, &self.bands), pictures);
+    }
+
     /// Which draw lists its plants may be in, in a view of that technique.
     pub fn buckets(&self, technique: Technique) -> Buckets {
         self.buckets[technique as usize]
@@ -366,6 +406,7 @@ impl Page {
         let counted = store("sward.counted", 32, none);
         let bind =
             |label, layout, list: &[&wgpu::Buffer]| bindings::buffers(device, label, layout, list);
+        let sweep = PatchSweep::new(device, layouts, self.grid.as_ref(), &view);
         let update = [&view, &self.bands, &self.work, &self.dynamics, &self.near, &self.decisions];
         let scan = [&view, &self.bands, &self.blocks, &draws, &indirect, &counted, blade_indices];
         let compact = [&view, &self.bands, &self.blocks, &self.work, &self.decisions, &list];
@@ -375,8 +416,9 @@ impl Page {
             cull: bind(
                 "sward.cull",
                 &layouts.cull,
-                &[&view, &self.bands, &self.work, &self.work_size],
+                &[&view, &self.bands, &self.work, &self.work_size, &sweep.columns],
             ),
+            sweep,
             update: bind("sward.update", &layouts.update, &update),
             scan: bind("sward.scan", &layouts.scan, &scan),
             compact: bind("sward.compact", &layouts.compact, &compact),

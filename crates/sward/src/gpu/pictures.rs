@@ -1,12 +1,10 @@
 //! The pictures of a field's clusters and plants, and the light that clusters stand for: what its
 //! draw group holds beside its buffers.
 
-use super::buffers::uniform;
+use super::buffers::filled;
+use super::layout::GpuCanopy;
 use super::uploads::Upload;
 use crate::plants::layers::{MODEL_POINTS, PlantLayers};
-
-/// Bytes of the clusters' surfels.
-pub const SURFELS_BYTES: u64 = 1024;
 
 /// Group 1 of drawing from binding 6 on, but for the bands.
 #[derive(Debug, Clone)]
@@ -23,8 +21,8 @@ pub struct Pictures {
     pub plant_models: wgpu::TextureView,
     /// Trilinear.
     pub sampler: wgpu::Sampler,
-    /// Representatives of the clusters' surface.
-    pub surfels: wgpu::Buffer,
+    /// `GpuCanopy`: what clusters and ground are lit as.
+    pub canopy: wgpu::Buffer,
 }
 
 fn blank(device: &wgpu::Device) -> wgpu::TextureView {
@@ -61,6 +59,12 @@ fn models(device: &wgpu::Device, rows: u32) -> (wgpu::Texture, wgpu::TextureView
 }
 
 impl Pictures {
+    /// The uniform of a canopy.
+    pub fn canopy_buffer(device: &wgpu::Device, canopy: &GpuCanopy) -> wgpu::Buffer {
+        let content = bytemuck::bytes_of(canopy);
+        filled(device, "sward.canopy", content, wgpu::BufferUsages::UNIFORM)
+    }
+
     /// Those of a field's plants, and what fills them.
     pub fn of_plants(&self, device: &wgpu::Device, plants: &PlantLayers) -> (Self, Vec<Upload>) {
         let (plant_color, mut uploads) = plants.color.texture(device, "sward.plant_color");
@@ -93,7 +97,7 @@ impl Pictures {
                 mipmap_filter: wgpu::MipmapFilterMode::Linear,
                 ..Default::default()
             }),
-            surfels: uniform(device, "sward.surfels", SURFELS_BYTES),
+            canopy: Self::canopy_buffer(device, &GpuCanopy::empty()),
         }
     }
 }

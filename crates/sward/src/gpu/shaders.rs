@@ -37,6 +37,8 @@ const STRIPS: &str = part!("frame/level/strips.wgsl");
 const BANDS: &str = part!("frame/level/bands.wgsl");
 const DECIDE: &str = part!("frame/update/decide.wgsl");
 const EXPLAIN: &str = part!("frame/debug/explain.wgsl");
+const DEBUG_COLORS: &str = part!("frame/debug/colors.wgsl");
+const DEBUG_CLUSTER: &str = part!("frame/debug/cluster.wgsl");
 const DEBUG: &str = part!("frame/debug/debug.wgsl");
 const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
@@ -44,15 +46,24 @@ const COMPACT: &str = part!("frame/compact/compact.wgsl");
 const LIGHT: &str = part!("frame/light/light.wgsl");
 const SHADE: &str = part!("frame/light/shade.wgsl");
 const SUNLIGHT: &str = part!("frame/light/sunlight.wgsl");
+const CANOPY: &str = part!("frame/light/canopy.wgsl");
+const END: &str = part!("frame/light/end.wgsl");
+const CLUSTER: &str = part!("frame/draw/cluster.wgsl");
 const PLANT: &str = part!("frame/draw/plant.wgsl");
 const PICTURES: &str = part!("frame/draw/pictures.wgsl");
 const QUADS: &str = part!("frame/draw/quads.wgsl");
+const STRIP_LOOK: &str = part!("frame/draw/strip_look.wgsl");
+const STRIP_SHAPE: &str = part!("frame/draw/strip_shape.wgsl");
+const STRIP: &str = part!("frame/draw/strip.wgsl");
 const BILLBOARD: &str = part!("frame/draw/billboard.wgsl");
 const OUTLINE: &str = part!("frame/draw/outline.wgsl");
 const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
 const BLADE_POINT: &str = part!("frame/draw/blade_point.wgsl");
 const DRAW: &str = part!("frame/draw/draw.wgsl");
+const SWEEP: &str = part!("frame/sweep/sweep.wgsl");
+const SWEEP_COLUMNS: &str = part!("frame/sweep/columns.wgsl");
+const SWEEP_TERRAIN: &str = part!("frame/sweep/terrain.wgsl");
 const LOOK: &str = part!("frame/draw/look.wgsl");
 const MODEL: &str = part!("frame/draw/model.wgsl");
 
@@ -75,21 +86,31 @@ pub enum Shader {
     Draw,
     /// Blades with lobes.
     DrawLobed,
+    /// Clusters.
+    DrawCluster,
     /// Modelled plants.
     DrawModel,
     /// Plants as quads.
     DrawBillboard,
+    /// Plants as strips.
+    DrawStrip,
     /// Why each blade is drawn or not, reading a single-sampled depth.
     Explain,
     /// The same, reading a multisampled depth.
     ExplainMultisampled,
     /// Blades as a debug view shows them.
     DrawDebug,
+    /// Clusters likewise.
+    DrawDebugCluster,
+    /// Rows of cells that a view may see.
+    SweepColumns,
+    /// Cells and triangles of a terrain that a view may see.
+    SweepTerrain,
 }
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 18] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -98,11 +119,16 @@ impl Shader {
         Self::Compact,
         Self::Draw,
         Self::DrawLobed,
+        Self::DrawCluster,
         Self::DrawModel,
         Self::DrawBillboard,
+        Self::DrawStrip,
         Self::Explain,
         Self::ExplainMultisampled,
         Self::DrawDebug,
+        Self::DrawDebugCluster,
+        Self::SweepColumns,
+        Self::SweepTerrain,
     ];
 
     /// Label in debuggers: `sward.` and the stage's stem.
@@ -113,9 +139,15 @@ impl Shader {
             Self::Update | Self::UpdateMultisampled => "sward.update",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
-            Self::Draw | Self::DrawLobed | Self::DrawModel | Self::DrawBillboard => "sward.draw",
+            Self::Draw
+            | Self::DrawLobed
+            | Self::DrawCluster
+            | Self::DrawModel
+            | Self::DrawBillboard
+            | Self::DrawStrip => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
-            Self::DrawDebug => "sward.debug",
+            Self::DrawDebug | Self::DrawDebugCluster => "sward.debug",
+            Self::SweepColumns | Self::SweepTerrain => "sward.sweep",
         }
     }
 
@@ -124,10 +156,13 @@ impl Shader {
         let blade =
             [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
         let draw = blade.concat();
-        let level = [LEVEL, FORM, CONTINUUM, STRIPS, BANDS];
+        let level = [LEVEL, END, FORM, CONTINUUM, STRIP_LOOK, STRIPS, BANDS];
         let plant =
             [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
         let plant = plant.concat();
+        let cluster =
+            [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &[CANOPY, PLANT, PICTURES, CLUSTER]];
+        let cluster = cluster.concat();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
         let update = [&motion[..], &level, &[TESTS, DECIDE, UPDATE]].concat();
@@ -143,9 +178,15 @@ impl Shader {
             Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
             Self::DrawBillboard => &[&plant, &[LOOK, QUADS, BILLBOARD]],
             Self::DrawModel => &[&plant, &[LOOK, MODEL]],
+            Self::DrawStrip => &[&plant, &[STRIP_LOOK, STRIP_SHAPE, STRIP]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
-            Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG]],
+            Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG_COLORS, DEBUG]],
+            Self::DrawCluster => &[&cluster],
+            Self::DrawDebugCluster => &[&cluster, &[DEBUG_COLORS, DEBUG_CLUSTER]],
+            // These know the ground and a view, and no field
+            Self::SweepColumns => return vec![VIEW, SWEEP, SWEEP_COLUMNS],
+            Self::SweepTerrain => return vec![VIEW, SWEEP, SWEEP_TERRAIN],
         };
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
         [&field[..], &rest.concat()].concat()

@@ -3,14 +3,20 @@
 use super::layout::GpuView;
 use crate::frame::level::FULL_DETAIL_PX;
 use crate::gpu::quantize::SEGMENTS;
-use crate::{Error, View};
+use crate::{Error, Technique, View};
 use glam::{Mat4, Vec3, Vec4};
 
 /// Survivors are widened to this many pixels at detail 1.
 pub const LEAST_WIDTH_PX: f32 = 1.4;
 
-/// Width of a blade, pixels at detail 1, where blades begin to turn into clusters, and where all have.
-pub const CLUSTER_WIDTH_PX: [f32; 2] = [1.0, 0.35];
+/// Mean height of the grass, pixels at detail 1, where blades begin to turn into clusters, and where
+/// all have.
+pub const CLUSTER_HEIGHT_PX: [f32; 2] = [20.0, 12.0];
+/// Clusters are thinned and widened to this many pixels at detail 1.
+pub const LEAST_CLUSTER_PX: f32 = 6.0;
+/// Heights count so many times where segments are chosen, beside those of `Technique::Blades`: what
+/// clusters save far away is spent on curves near by.
+pub const FINER_LEVELS: f32 = 2.0;
 
 pub const FRUSTUM: u32 = 1;
 pub const DISTANCE: u32 = 2;
@@ -19,6 +25,8 @@ pub const OCCLUSION: u32 = 8;
 pub const PAPER: u32 = 16;
 pub const WIDTH_CORRECTION: u32 = 32;
 pub const HAS_DEPTH: u32 = 64;
+/// Set beside where a page is swept.
+pub const GROUND_SWEPT: u32 = 128;
 
 fn normalized_plane(plane: Vec4) -> [f32; 4] {
     let length = plane.truncate().length();
@@ -124,6 +132,8 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
     let eye: Vec3 = world_from_view.w_axis.truncate();
     let bands = view.bands;
     let detail = view.detail.clamp(1e-3, 1e6);
+    // A forced level is one of single blades
+    let technique = if view.level.is_some() { Technique::Blades } else { view.technique };
     GpuView {
         clip_from_world: clip_from_world.to_cols_array_2d(),
         eye: eye.extend(if perspective { 1.0 } else { 0.0 }).to_array(),
@@ -138,11 +148,15 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
         flags: flags(view),
         capacity,
         level_height: level_height(view.level),
-        cluster_width: CLUSTER_WIDTH_PX.map(|px| px / detail),
-        technique: view.technique as u32,
-        far_share: view.bands.far_share,
-        far_size: view.bands.far_size,
-        reserved: 0,
+        cluster_height: CLUSTER_HEIGHT_PX.map(|px| px / detail),
+        technique: technique as u32,
+        least_cluster: LEAST_CLUSTER_PX / detail,
+        far_share: bands.far_share,
+        far_size: bands.far_size,
         bands: [bands.near_m, bands.middle_m, bands.far_m.min(1e30), bands.jitter],
+        level_scale: if technique == Technique::Blades { 1.0 } else { FINER_LEVELS },
+        reserved_a: 0.0,
+        reserved_b: 0.0,
+        reserved_c: 0.0,
     }
 }

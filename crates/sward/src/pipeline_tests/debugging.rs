@@ -84,7 +84,7 @@ fn a_debug_view_leaves_no_trace() {
 #[test]
 fn levels_show_in_their_colours() {
     let mut rig = rig();
-    for (level, (name, color)) in DebugView::Level.colors().iter().enumerate() {
+    for (level, (name, color)) in DebugView::Level.colors().iter().take(4).enumerate() {
         let eye = look(Vec3::new(0.0, 1.5, 6.0), Vec3::ZERO);
         let view = View { debug: Some(DebugView::Level), level: Some(level as u8), ..eye };
         let picture = picture(&mut rig, view);

@@ -10,7 +10,7 @@ struct GpuBand {
     counts: array<vec4<u32>, 2>,
     // Tests against primitives made
     tested: u32,
-    // How far the tips of its blades are from rest in the mean, in heights, world axes
+    // Of a patch's first band: mean of its blades' tips when they were last advanced, in heights
     sway_x: f32,
     sway_y: f32,
     sway_z: f32,

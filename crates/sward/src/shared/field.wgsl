@@ -6,6 +6,9 @@ struct GpuField {
     patch_size: u32,
     // Index in the field of the page's first blade
     first_id: u32,
+    // Mean length of the field's blades; half width and height of a cluster, metres; all 0 where none
+    // is baked
+    cluster: vec4<f32>,
 }
 
 struct GpuPatch {
@@ -14,7 +17,8 @@ struct GpuPatch {
     edge: f32,
     // Box of every pose
     reach_min: vec3<f32>,
-    reserved: f32,
+    // Column times 65536 plus row of its cell, in pages that lie about level
+    cell: u32,
     reach_max: vec3<f32>,
     max_width: f32,
 }

@@ -18,22 +18,29 @@ struct GpuView {
     // Blades thinner than this many pixels are thinned out and widened to it
     least_width: f32,
     max_distance: f32,
-    // Bits: 0 frustum, 1 distance, 2 orientation, 3 occlusion, 4 paper, 5 width correction, 6 depth
+    // Bits: 0 frustum, 1 distance, 2 orientation, 3 occlusion, 4 paper, 5 width correction, 6 depth,
+    // 7 swept
     flags: u32,
     // Most entries of the draw list
     capacity: u32,
     // Heights in pixels, times detail, that levels are chosen within: one level, where it is forced
     level_height: vec2<f32>,
-    // Width in pixels of a blade where blades begin to turn into clusters, and where all have
-    cluster_width: vec2<f32>,
+    // Mean height of the grass in pixels where blades begin to turn into clusters, and where all have
+    cluster_height: vec2<f32>,
     // 0 blades, 1 strips, 2 billboards, 3 continuum
     technique: u32,
+    // Clusters narrower than this many pixels are thinned out and widened to it
+    least_cluster: f32,
     // Of plants far off: share that is kept, and height
     far_share: f32,
     far_size: f32,
-    reserved: u32,
     // Where the bands of distance end, metres, and how much a plant's own differ
     bands: vec4<f32>,
+    // Multiplies heights where segments are chosen
+    level_scale: f32,
+    reserved_a: f32,
+    reserved_b: f32,
+    reserved_c: f32,
 }
 
 const BLADES: u32 = 0u;
@@ -50,6 +57,8 @@ const CULL_OCCLUSION: u32 = 8u;
 const CULL_PAPER: u32 = 16u;
 const WIDTH_CORRECTION: u32 = 32u;
 const HAS_DEPTH: u32 = 64u;
+// A sweep has found the cells that the view may see
+const GROUND_SWEPT: u32 = 128u;
 
 fn has(flag: u32) -> bool {
     return (view.flags & flag) != 0u;

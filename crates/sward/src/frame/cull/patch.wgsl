@@ -35,10 +35,24 @@ fn kept_blades(home: GpuPatch, count: u32, nearest: f32) -> u32 {
     }
 }
 
+// Metres that what is drawn of a patch may reach beyond its blades' poses.
+fn patch_margin(home: GpuPatch) -> f32 {
+    if view.technique != CONTINUUM {
+        return 0.0;
+    }
+    let cluster = field.cluster;
+    let scale = pixels_per_metre(nearest_of(home));
+    if cluster_progress(cluster.x * scale) <= 0.0 {
+        return 0.0;
+    }
+    return cluster.y * max(widening(cluster_share(cluster, scale)), 1.0);
+}
+
 fn see_patch(home: GpuPatch) -> Seen {
     var seen = Seen(true, true);
     if has(CULL_FRUSTUM) {
-        seen = box_in_frustum(home.reach_min, home.reach_max);
+        let margin = vec3<f32>(patch_margin(home));
+        seen = box_in_frustum(home.reach_min - margin, home.reach_max + margin);
     }
     return seen;
 }

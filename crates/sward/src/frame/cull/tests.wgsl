@@ -91,3 +91,12 @@ fn point_hidden(p: vec3<f32>) -> bool {
 fn fails_occlusion(pose: Pose) -> bool {
     return point_hidden(pose.root) && point_hidden(pose.middle) && point_hidden(pose.tip);
 }
+
+// Of something that reaches so far to both sides of a blade: its upper corners count as well.
+fn fails_occlusion_wide(pose: Pose, up: vec3<f32>, margin: f32) -> bool {
+    if !fails_occlusion(pose) {
+        return false;
+    }
+    let aside = cross(up, view_ray(pose.root)) * margin;
+    return point_hidden(pose.tip + aside) && point_hidden(pose.tip - aside);
+}

@@ -1,11 +1,11 @@
 //! Debug views: their pipelines are made when one is first asked for.
 
 use super::draw::mesh::Mesh;
-use super::draw::pipelines::{Program, constants, pipeline};
+use super::draw::pipelines::{Program, constants, form_constants, pipeline};
 use super::draw::topology::Topology;
 use crate::gpu::bindings::{self, Kind, compute, layout};
 use crate::gpu::buffers::{filled, storage};
-use crate::gpu::layout::BLADE_BUCKETS;
+use crate::gpu::layout::{BLADE_BUCKETS, BUCKETS, CLUSTER_BUCKET};
 use crate::gpu::page::{Page, ViewLists};
 use crate::gpu::shaders::Shader;
 use crate::renderer::Layouts;
@@ -35,7 +35,8 @@ pub(crate) struct Debug {
     /// For a depth of one sample, and of several.
     explain: [wgpu::ComputePipeline; 2],
     draw_layout: wgpu::BindGroupLayout,
-    pipelines: Vec<wgpu::RenderPipeline>,
+    /// By bucket; of those that a debug view can show.
+    pipelines: Vec<Option<wgpu::RenderPipeline>>,
     indices: Vec<wgpu::Buffer>,
     corners: wgpu::Buffer,
     /// Reasons, by page.
@@ -84,22 +85,34 @@ fn draw_pipelines(
     layouts: &Layouts,
     own: &wgpu::BindGroupLayout,
     targets: Targets,
-) -> Vec<wgpu::RenderPipeline> {
+) -> Vec<Option<wgpu::RenderPipeline>> {
     let module = Shader::DrawDebug.module(device);
+    let cluster = Shader::DrawDebugCluster.module(device);
     let groups = [&layouts.draw_frame, &layouts.draw_field, &layouts.draw, own];
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some("sward.debug"),
         bind_group_layouts: &groups.map(Some),
         immediate_size: 0,
     });
-    let make = |bucket| {
+    let blade = |bucket| {
         let mut constants = constants(bucket, targets, false);
         constants.push(("INDICES", Topology::of(bucket).indices().len() as f64));
         let program =
             Program { module: &module, vertex: "vs_debug", fragment: "fs_debug", masked: false };
         pipeline(device, &layout, targets, program, &constants)
     };
-    (0..BLADE_BUCKETS).map(make).collect()
+    let cluster = |bucket| {
+        let constants = form_constants(bucket, targets, false);
+        let (vertex, fragment) = ("vs_debug_cluster", "fs_debug_cluster");
+        let program = Program { module: &cluster, vertex, fragment, masked: false };
+        pipeline(device, &layout, targets, program, &constants)
+    };
+    let make = |bucket| match bucket {
+        0..BLADE_BUCKETS => Some(blade(bucket)),
+        CLUSTER_BUCKET => Some(cluster(bucket)),
+        _ => None,
+    };
+    (0..BUCKETS).map(make).collect()
 }
 
 impl Debug {
@@ -112,8 +125,11 @@ impl Debug {
         let stages = ShaderStages::VERTEX_FRAGMENT;
         let draw_layout = layout(device, "sward.debug", stages, &[Uniform, Uniform, Read]);
         let index_buffer = |bucket| {
-            let count = Mesh::of(bucket).instance_indices().len() as u16;
-            let list: Vec<u16> = (0..count).collect();
+            let mut list = Mesh::of(bucket).instance_indices();
+            if bucket < BLADE_BUCKETS {
+                // Their triangles have vertices of their own
+                list = (0..list.len() as u16).collect();
+            }
             let content = bytemuck::cast_slice(&list);
             filled(device, "sward.debug_indices", content, BufferUsages::INDEX)
         };
@@ -123,7 +139,7 @@ impl Debug {
             explain_layout,
             pipelines: draw_pipelines(device, layouts, &draw_layout, targets),
             draw_layout,
-            indices: (0..BLADE_BUCKETS).map(index_buffer).collect(),
+            indices: (0..BUCKETS).map(index_buffer).collect(),
             corners: filled(
                 device,
                 "sward.debug_corners",
@@ -208,8 +224,9 @@ impl Debug {
         pass.set_bind_group(1, &page.draw_group, &[]);
         pass.set_bind_group(2, &lists.draw, &[]);
         pass.set_bind_group(3, own, &[]);
-        for bucket in lists.buckets.blades_only().iter() {
-            pass.set_pipeline(&self.pipelines[bucket]);
+        for bucket in lists.buckets.iter() {
+            let Some(pipeline) = &self.pipelines[bucket] else { continue };
+            pass.set_pipeline(pipeline);
             pass.set_index_buffer(self.indices[bucket].slice(..), wgpu::IndexFormat::Uint16);
             pass.draw_indexed_indirect(&lists.indirect, bucket as u64 * 20);
         }

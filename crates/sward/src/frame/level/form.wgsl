@@ -29,7 +29,7 @@ fn range_fade(distance: f32) -> f32 {
 }
 
 fn level_of(size: Size) -> Level {
-    let height = size.height * view.detail;
+    let height = size.height * view.detail * view.level_scale;
     return choose_level(clamp(height, view.level_height.x, view.level_height.y));
 }
 
@@ -60,6 +60,11 @@ struct Choice {
 
 // A blade: thinned in the order of its patch where blades are thin on the screen, the others wider.
 fn choose_blade(blade: Blade, size: Size, place: Place) -> Choice {
+    return choose_thinned_blade(blade, size, place, size.keep);
+}
+
+// The same thinned to another share; the others are as wide as at `size.keep`.
+fn choose_thinned_blade(blade: Blade, size: Size, place: Place, share: f32) -> Choice {
     let level = level_of(size);
     var choice: Choice;
     choice.bucket = species_table[blade.species].first_bucket + level.index;
@@ -69,7 +74,7 @@ fn choose_blade(blade: Blade, size: Size, place: Place) -> Choice {
     choice.margin = blade.width * choice.widened;
     choice.single = true;
     if has(CULL_DISTANCE) && !has(CULL_PAPER) {
-        choice.fade = rank_fade(size.keep, place.rank) * range_fade(size.distance);
+        choice.fade = rank_fade(share, place.rank) * range_fade(size.distance);
         if choice.fade <= 0.0 {
             choice.bucket = NO_BUCKET;
         }

@@ -40,7 +40,13 @@ fn decide(blade: Blade, state: BladeState, place: Place, inside: bool) -> Decisi
         failed |= select(0u, 2u, fails_frustum(pose, choice.margin));
     }
     if has(CULL_OCCLUSION) && has(HAS_DEPTH) {
-        failed |= select(0u, 8u, fails_occlusion(pose));
+        var hidden = false;
+        if choice.single {
+            hidden = fails_occlusion(pose);
+        } else {
+            hidden = fails_occlusion_wide(pose, blade.up, choice.margin);
+        }
+        failed |= select(0u, 8u, hidden);
     }
     let bucket = select(choice.bucket, NO_BUCKET, failed != 0u);
     let morph = u32(round(choice.morph * 31.0));

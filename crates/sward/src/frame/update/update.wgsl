@@ -23,6 +23,20 @@ fn advance(blade: Blade, state: BladeState, band: GpuBand, patch_index: u32) -> 
 }
 
 var<workgroup> tested: atomic<u32>;
+// Sum of the tips of the patch's first band, in 1/65536 of a height: integers add up to the same in
+// any order
+var<workgroup> tips: array<atomic<i32>, 3>;
+
+fn add_tip(tip: vec3<f32>) {
+    let steps = vec3<i32>(round(tip * 65536.0));
+    atomicAdd(&tips[0], steps.x);
+    atomicAdd(&tips[1], steps.y);
+    atomicAdd(&tips[2], steps.z);
+}
+
+fn mean_tip(axis: u32, count: u32) -> f32 {
+    return f32(atomicLoad(&tips[axis])) / (65536.0 * f32(count));
+}
 
 @compute @workgroup_size(64)
 fn update(
@@ -54,6 +68,9 @@ fn update(
             dynamics[index] = bits;
             // Test what will be drawn: the quantised state
             state = unpack_state(blade, bits);
+            if group.y == 0u {
+                add_tip(state.tip);
+            }
         }
         if TEST {
             let place = Place(local, count, (f32(local) + 0.5) / f32(count));
@@ -71,6 +88,12 @@ fn update(
             bands[band_index].step = frame.step;
             bands[band_index].ticks = frame.ticks;
             bands[band_index].tested = atomicLoad(&tested);
+            if group.y == 0u {
+                let blades = min(count, BAND);
+                bands[band_index].sway_x = mean_tip(0u, blades);
+                bands[band_index].sway_y = mean_tip(1u, blades);
+                bands[band_index].sway_z = mean_tip(2u, blades);
+            }
         }
         if TEST {
             bands[band_index].counts = array<vec4<u32>, 2>(bucket_counts(0u), bucket_counts(8u));

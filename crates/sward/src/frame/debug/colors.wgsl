@@ -1,0 +1,72 @@
+// What debug views show, whichever form a plant has.
+
+struct GpuDebug {
+    // 0 patches, 1 culling, 2 level, 3 awake, 4 crush, 5 wireframe
+    mode: u32,
+    reserved_a: u32,
+    reserved_b: u32,
+    reserved_c: u32,
+    // Linear RGB by what the view tells apart
+    palette: array<vec4<f32>, 8>,
+}
+
+@group(3) @binding(0) var<uniform> debug: GpuDebug;
+@group(3) @binding(2) var<storage, read> explained: array<u32>;
+
+const PATCHES: u32 = 0u;
+const CULLING: u32 = 1u;
+const LEVEL: u32 = 2u;
+const AWAKE: u32 = 3u;
+const CRUSH: u32 = 4u;
+const WIREFRAME: u32 = 5u;
+
+// Half the width of an edge, pixels: two triangles share it.
+const EDGE_PX: f32 = 0.6;
+
+// A colour that no neighbour is likely to have: hue by the golden angle.
+fn patch_color(patch_index: u32) -> vec3<f32> {
+    let hue = 6.2831853 * hash01(patch_index, 31u);
+    let turns = vec3<f32>(hue, hue - 2.0943951, hue + 2.0943951);
+    let light = 0.22 + 0.3 * hash01(patch_index, 32u);
+    return light * (vec3<f32>(1.0) + 0.85 * cos(turns));
+}
+
+// By the first test that fails: frustum, distance, occlusion, orientation.
+fn culling_color(reasons: u32) -> vec3<f32> {
+    var slot = 0u;
+    slot = select(slot, 4u, (reasons & 1u) != 0u);
+    slot = select(slot, 3u, (reasons & 8u) != 0u);
+    slot = select(slot, 2u, (reasons & 4u) != 0u);
+    slot = select(slot, 1u, (reasons & 2u) != 0u);
+    return debug.palette[slot].rgb;
+}
+
+fn awake_color(reasons: u32) -> vec3<f32> {
+    let moved = select(0u, 1u, (reasons & 32u) != 0u);
+    return debug.palette[select(2u, moved, (reasons & 16u) != 0u)].rgb;
+}
+
+fn crush_color(crush: f32) -> vec3<f32> {
+    let low = mix(debug.palette[0].rgb, debug.palette[1].rgb, clamp(crush, 0.0, 1.0));
+    return mix(low, debug.palette[2].rgb, clamp(crush - 1.0, 0.0, 1.0));
+}
+
+// Clusters, and other forms than blades, come after the levels of blades.
+fn level_color(morph: f32) -> vec3<f32> {
+    if BUCKET >= CLUSTER_BUCKET {
+        return debug.palette[min(4u + BUCKET - CLUSTER_BUCKET, 7u)].rgb;
+    }
+    let next = debug.palette[min(BUCKET % 4u + 1u, 3u)].rgb;
+    return mix(debug.palette[BUCKET % 4u].rgb, next, morph);
+}
+
+fn debug_color(index: u32, morph: f32, own: vec3<f32>) -> vec3<f32> {
+    switch debug.mode {
+        case PATCHES: { return patch_color((field.first_id + index) / field.patch_size); }
+        case CULLING: { return culling_color(explained[index]); }
+        case LEVEL: { return level_color(morph); }
+        case AWAKE: { return awake_color(explained[index]); }
+        case CRUSH: { return crush_color(unpack_state(unpack_blade(index), dynamics[index]).crush); }
+        default: { return mix(debug.palette[0].rgb, own, 0.5); }
+    }
+}

@@ -1,0 +1,179 @@
+// Clusters: a picture of 32 blades each, on a card through the cylinder that holds them. The card
+// runs from the cylinder's near foot to its far top, so that it covers what the cylinder does on the
+// screen from any elevation, and never goes under the ground.
+
+override SAMPLES: u32 = 1u;
+
+@group(1) @binding(12) var<uniform> canopy: GpuCanopy;
+
+// Alpha that a texel shows from, with one sample a pixel
+const ALPHA_TEST: f32 = 0.5;
+
+struct ClusterVertex {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
+    // Light, and the brightness that a grey surface has in the mean
+    @location(1) @interpolate(perspective, centroid) light: vec4<f32>,
+    @location(2) @interpolate(flat) haze: f32,
+    @location(3) @interpolate(flat) layer: u32,
+    @location(4) @interpolate(flat) seed: u32,
+    @location(5) @interpolate(flat) right: vec3<f32>,
+    @location(6) @interpolate(flat) up: vec3<f32>,
+    @location(7) @interpolate(flat) to_eye: vec3<f32>,
+}
+
+// The frame of a card: level towards the eye and to the right of it.
+struct Facing {
+    toward: vec3<f32>,
+    right: vec3<f32>,
+    // Of the angle between the ray and the ground
+    sine: f32,
+}
+
+fn facing_of(up: vec3<f32>, to_eye: vec3<f32>) -> Facing {
+    let sine = dot(up, to_eye);
+    let level = to_eye - up * sine;
+    // From straight above any direction will do
+    let toward = unit_or(level, tangent_frame(up).first);
+    return Facing(toward, cross(up, toward), sine);
+}
+
+// Corners 0 to 3: left and right of the bottom, left and right of the top. `sway`: where the mean
+// tip is, in heights.
+fn card_corner(
+    corner: u32,
+    facing: Facing,
+    up: vec3<f32>,
+    radius: f32,
+    height: f32,
+    widened: f32,
+    sway: vec3<f32>,
+) -> vec3<f32> {
+    let side = facing.right * select(-radius * widened, radius * widened, (corner & 1u) == 1u);
+    if corner < 2u {
+        return side + facing.toward * radius;
+    }
+    return side - facing.toward * radius + (up + sway) * height;
+}
+
+// What the mean tip of a patch is displaced by, in heights. At rest blades lean every way, and
+// their tips are so high in the mean.
+fn sway_of(index: u32, up: vec3<f32>) -> vec3<f32> {
+    let band = bands[(index / field.patch_size) * bands_per_patch()];
+    let tip = vec3<f32>(band.sway_x, band.sway_y, band.sway_z);
+    let high = dot(tip, up);
+    if high <= 0.0 {
+        return vec3<f32>(0.0);
+    }
+    let rest = sqrt(max(1.0 - canopy.pose.x * canopy.pose.x, 0.01));
+    return tip - up * (high - min(high / rest - 1.0, 0.0));
+}
+
+// Brightness of a grey surface, by its normal alone: what makes one blade stand out from the next.
+fn brightness(normal: vec3<f32>, up: vec3<f32>, to_eye: vec3<f32>) -> f32 {
+    var surface: BladeSurface;
+    surface.albedo = vec3<f32>(0.2);
+    surface.normal = normal;
+    surface.up = up;
+    surface.height_share = 1.0;
+    surface.root_open = 1.0;
+    surface.lean = 0.0;
+    surface.shaded = 0.0;
+    return dot(shade_blade(surface, to_eye), vec3<f32>(0.2126, 0.7152, 0.0722));
+}
+
+// Its mean over what shows of the grass from that elevation, by a quarter of the representatives.
+fn mean_brightness(facing: Facing, up: vec3<f32>, to_eye: vec3<f32>, corner: u32) -> f32 {
+    let row = u32(canopy_row(facing.sine) + 0.5);
+    var sum = 0.0;
+    for (var i = corner; i < CANOPY_SURFELS; i += 4u) {
+        let surfel = canopy.surfels[row * CANOPY_SURFELS + i];
+        let n = surfel.normal;
+        let normal = facing.right * n.x + up * n.y + facing.toward * n.z;
+        sum += 4.0 * surfel.weight * brightness(normal, up, to_eye);
+    }
+    return sum;
+}
+
+// Which picture: one of four places, elevations and sides, the next to the view's or the one after.
+fn picture_of(id: u32, facing: Facing) -> u32 {
+    let elevation = asin(clamp(facing.sine, 0.0, 1.0)) * (3.0 / 1.5707963);
+    let row = min(u32(elevation + hash01(id, 51u)), 3u);
+    return ((hash_u32(id) & 3u) * 4u + row) * 4u + (hash_u32(id ^ 0x5bd1u) & 3u);
+}
+
+fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
+    var out: ClusterVertex;
+    out.clip = vec4<f32>(0.0, 0.0, -1.0, 1.0);
+    let listed = listed_plant(vertex, instance);
+    if listed.hidden {
+        return out;
+    }
+    let blade = unpack_blade(listed.index);
+    let cluster = field.cluster;
+    let distance = distance_to(blade.root + blade.up * (0.5 * blade.height));
+    let to_eye = -view_ray(blade.root + blade.up * (0.5 * cluster.z));
+    let facing = facing_of(blade.up, to_eye);
+    let sway = sway_of(listed.index, blade.up);
+    let count = patch_blades(listed.index / field.patch_size);
+    let wide = listed.fade * cluster_widening(cluster, pixels_per_metre(distance), count);
+    let corner = vertex % VERTICES;
+    let position = blade.root
+        + card_corner(corner, facing, blade.up, cluster.y, cluster.z, wide, sway);
+    out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
+    out.uv = vec2<f32>(f32(corner & 1u), f32(corner < 2u));
+    let level_sway = sway - blade.up * dot(sway, blade.up);
+    let lean = min(length(level_sway), 1.0);
+    let shaded = sun_shade(blade.root);
+    var light = canopy_light(blade.up, to_eye, lean, shaded, hash01(blade.id, 52u), corner);
+    if TINTED {
+        light *= canopy_tint(unpack_color(tints[listed.index]));
+    }
+    out.light = vec4<f32>(light, mean_brightness(facing, blade.up, to_eye, corner));
+    out.haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
+    out.layer = picture_of(blade.id, facing);
+    out.seed = hash_u32(blade.id);
+    out.right = facing.right;
+    out.up = blade.up;
+    out.to_eye = to_eye;
+    return out;
+}
+
+@vertex
+fn vs_cluster(
+    @builtin(vertex_index) vertex: u32,
+    @builtin(instance_index) instance: u32,
+) -> ClusterVertex {
+    return cluster_vertex(vertex, instance);
+}
+
+// The samples of a pixel that so much alpha covers. Each cluster begins at another one, so that those
+// that lie over each other do not all cover the same.
+fn samples_covered(alpha: f32, seed: u32) -> u32 {
+    if SAMPLES == 1u {
+        return select(0u, 1u, alpha >= ALPHA_TEST);
+    }
+    let whole = (1u << SAMPLES) - 1u;
+    let mask = (1u << u32(round(clamp(alpha, 0.0, 1.0) * f32(SAMPLES)))) - 1u;
+    let turn = seed % SAMPLES;
+    return ((mask << turn) | (mask >> (SAMPLES - turn))) & whole;
+}
+
+struct ClusterPixel {
+    @location(0) color: vec4<f32>,
+    @builtin(sample_mask) samples: u32,
+}
+
+@fragment
+fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
+    let texel = textureSample(cluster_color, picture_sampler, in.uv, in.layer);
+    let samples = samples_covered(texel.a, in.seed);
+    if samples == 0u {
+        discard;
+    }
+    let n = textureSample(cluster_shape, picture_sampler, in.uv, in.layer).xyz * 2.0 - 1.0;
+    let normal = in.right * n.x + in.up * n.y + cross(in.right, in.up) * n.z;
+    let own = brightness(unit_or(normal, in.up), in.up, in.to_eye);
+    let color = texel.rgb * texel.rgb * in.light.rgb * (own / max(in.light.w, 1e-4));
+    return ClusterPixel(vec4<f32>(mix(color, frame.haze.rgb, in.haze), 1.0), samples);
+}
