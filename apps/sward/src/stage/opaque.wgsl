@@ -115,5 +115,5 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
     }
     let clear = exp(-frame.haze.w * distance(frame.eye.xyz, in.world));
     // Below 0: ground that stands for grass, and how much of it does
-    return vec4(mix(frame.haze.rgb, color, clear), -canopy);
+    return vec4(mix(frame.haze.rgb, color, clear), -mix(sunlit, 1.0, grass));
 }

@@ -74,10 +74,12 @@ impl StageOptions {
         })
     }
 
-    /// Whether all grass is drawn, or stood in for by wider blades, so that the ground need not.
+    /// Whether ground between blades is just that, near and far: where all grass is drawn, or stood in
+    /// for by wider blades, by clusters, or at the end by the ground's own look of it.
     pub(super) fn draws_all(&self) -> bool {
         let endless = self.culling.max_distance_m.is_infinite();
-        self.reference || self.technique == Technique::Blades && endless
+        let stood_in = matches!(self.technique, Technique::Blades | Technique::Continuum);
+        self.reference || stood_in && endless
     }
 
     /// The camera of the picture.
