@@ -8,8 +8,8 @@ use crate::grow::Blade;
 use crate::shared::curve_twin::project_tip;
 use crate::shared::noise_twin::hash01;
 use crate::{
-    BladeOrder, Culling, Field, Gravity, Gusts, Metric, PhysicsModel, Range, Shape, Species, View,
-    Waves, Wind, WindSource,
+    BladeOrder, Culling, Field, Gravity, Gusts, Metric, PhysicsModel, Range, Shape, Species,
+    Technique, View, Waves, Wind, WindSource,
 };
 use glam::camera::rh::{
     proj::directx::{orthographic, perspective},

@@ -4,6 +4,8 @@
 #[cfg(test)]
 pub(crate) mod bands_twin;
 #[cfg(test)]
+pub(crate) mod continuum_twin;
+#[cfg(test)]
 pub(crate) mod twin;
 
 /// A quarter of this projected height, pixels, ends the first level; a quarter of that the next.
