@@ -1,8 +1,11 @@
 //! Where along the distance plants change their form.
 
 use crate::frame::level::{FULL_DETAIL_PX, LEVELS, MORPH_SHARE};
-use crate::gpu::view::{CLUSTER_WIDTH_PX, LEAST_WIDTH_PX, focal_px};
+use crate::gpu::view::{CLUSTER_HEIGHT_PX, LEAST_WIDTH_PX, focal_px};
 use crate::{Range, Species, Technique, View};
+
+/// Heights on the screen between which clusters end: a test compares them with end.wgsl.
+const CANOPY_END_PX: [f32; 2] = [2.0, 0.7];
 
 /// A change of form, over a range of distances: plants of one species differ in size.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +52,8 @@ impl View<'_> {
             Technique::Continuum => {
                 changes.extend(levels);
                 changes.push(change("blades thinned", species.width_m, thinned_px));
-                changes.push(change("blades to clusters", species.width_m, CLUSTER_WIDTH_PX));
+                changes.push(change("blades to clusters", species.height_m, CLUSTER_HEIGHT_PX));
+                changes.push(change("clusters to ground", species.height_m, CANOPY_END_PX));
             }
             _ => {}
         }
@@ -62,6 +66,13 @@ mod tests {
     use super::*;
     use glam::Mat4;
     use glam::camera::rh::proj::directx::perspective;
+
+    #[test]
+    fn clusters_end_where_the_shader_says() {
+        let [first, last] = CANOPY_END_PX.map(|px| format!("{px:?}"));
+        let line = format!("const CANOPY_END_PX: vec2<f32> = vec2<f32>({first}, {last});");
+        assert!(include_str!("frame/light/end.wgsl").contains(&line), "{line}");
+    }
 
     #[test]
     fn changes_lie_where_the_sizes_are() {
