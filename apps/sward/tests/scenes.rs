@@ -43,6 +43,7 @@ scenes! {
     planet [],
     reference [],
     shapes [],
+    strips [],
     tornado [],
 }
 

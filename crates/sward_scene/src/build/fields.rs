@@ -120,7 +120,7 @@ fn species(kind: &SpeciesFile, key: &Key) -> Result<Species, Problem> {
                 return Err(key.at("shape").problem(cause));
             }
         },
-        form: sward::Form::default(),
+        form: super::forms::form(&kind.form, &key.at("form"))?,
         height_m: key.at("height_m").span(kind.height_m, length)?,
         width_m: key.at("width_m").span(kind.width_m, length)?,
         response: key.at("response").span(kind.response, length)?,
