@@ -162,7 +162,8 @@ impl Renderer {
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
         let first_page = self.pages.len();
-        let plants = PlantLayers::new(field.species().iter().filter_map(|s| s.form.look()));
+        let looks: Vec<_> = field.species().iter().filter_map(|s| s.form.look()).collect();
+        let plants = PlantLayers::new(looks.iter());
         plants.check(&available)?;
         let species = species_table(field, &plants);
         let (pictures, uploads) = self.layouts.no_pictures.of_plants(device, &plants);

@@ -1,7 +1,8 @@
 //! Species: what one kind of plant is.
 
 use crate::error::{above_zero, within};
-use crate::{Billboard, Error, Look};
+use crate::{Billboard, Error, Look, Picture};
+use std::sync::Arc;
 
 /// Longest and widest blade, metres.
 const LARGEST_M: f32 = 1000.0;
@@ -63,7 +64,7 @@ pub enum Shape {
 /// O), of the species' own height and width. They follow the plant's curve, so wind, gravity and
 /// colliders move them, and sway beside on a sinusoid. The texture gives their outline: the species'
 /// [`Shape`] and ridge are not used.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Strip {
     /// Angle that the two strips are folded towards each other by, degrees, 0..=150: 0 is one flat
     /// blade; higher is seen from more sides, and narrower from the front.
@@ -77,11 +78,14 @@ pub struct Strip {
     /// Height on the screen, pixels at detail 1, about which a strip changes from many rings to few;
     /// above 0. Higher is faster, and shows corners in bent strips.
     pub few_rings_px: f32,
+    /// A picture of the blade in place of the library's own, [`Picture::strip`]: its tip above, in greys
+    /// of a mean reflectance of about a half, which the species' colours tint.
+    pub texture: Option<Arc<Picture>>,
 }
 
 impl Default for Strip {
     fn default() -> Self {
-        Self { fold_deg: 60.0, sway: 0.2, orange: 0.35, few_rings_px: 70.0 }
+        Self { fold_deg: 60.0, sway: 0.2, orange: 0.35, few_rings_px: 70.0, texture: None }
     }
 }
 
@@ -124,10 +128,11 @@ impl Form {
     }
 
     /// What is painted or given for it; none for blades, and for strips of the library's own texture.
-    pub(crate) fn look(&self) -> Option<&Look> {
+    pub(crate) fn look(&self) -> Option<Look> {
         match self {
-            Self::Blade | Self::Strip(_) => None,
-            Self::Billboard(billboard) => Some(&billboard.look),
+            Self::Blade => None,
+            Self::Strip(strip) => strip.texture.clone().map(Look::Picture),
+            Self::Billboard(billboard) => Some(billboard.look.clone()),
         }
     }
 }
@@ -196,7 +201,7 @@ impl Species {
             let cause = format!("{tip} is out of range; use 0 to below 1");
             return Err(Error::setting(at("shape.tip"), cause));
         }
-        if let Form::Strip(strip) = self.form {
+        if let Form::Strip(strip) = &self.form {
             strip.check(&at("form.strip"))?;
         }
         self.height_m.check(&at("height_m"), Some(LARGEST_M))?;

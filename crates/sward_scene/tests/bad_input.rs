@@ -489,6 +489,18 @@ fn broken_pictures_of_plants_are_named() {
     assert!(folder.error(PICTURED).contains("p.png: is a JPEG of four inks (CMYK)"));
 }
 
+#[test]
+fn pictures_of_strips_are_read() {
+    let folder = Folder::new("strips");
+    let text =
+        r#"(fields: [(on: Plane(), species: [(), (form: Strip(texture: (color: "p.png")))])])"#;
+    assert!(folder.error(text).contains("p.png: no such file"));
+    folder.write("p.png", &plant_png(8, Into::into));
+    let scene = folder.parse(text).expect("a scene");
+    let sward::Form::Strip(strip) = &scene.fields[0].desc.species[1].form else { panic!("strip") };
+    assert_eq!(strip.texture.as_ref().map(|picture| picture.size()), Some(8));
+}
+
 /// Palettes, greys and 16 bits a channel are converted; a JPEG, which has no alpha, is told of.
 #[test]
 fn pictures_of_all_kinds_of_pixels_are_read() {

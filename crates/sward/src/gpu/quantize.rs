@@ -242,7 +242,7 @@ pub const MODELLED: u32 = 0x100;
 fn species_look(species: &Species, plants: &PlantLayers) -> ([u32; 4], [f32; 4]) {
     let form = species.form.number();
     let LayerRange { first, count } = match species.form.look() {
-        Some(look) => plants.range(look),
+        Some(look) => plants.range(&look),
         None => plants.strip(),
     };
     match &species.form {

@@ -77,7 +77,7 @@ fn a_fold_shows_from_every_side() {
 fn a_change_of_rings_does_not_show() {
     let bent = Blade { width: 0.08, ..blade(0.0, 0) };
     let own = Strip { sway: 0.0, ..Strip::default() };
-    let mut rig = rig(own, &[bent]);
+    let mut rig = rig(own.clone(), &[bent]);
     let physics = decode(&rig.field)[0].physics;
     let lean = physics.up + DVec3::new(0.8, 0.0, 1.2);
     let tip = project_tip(lean, physics.up, physics.facing, physics.arch);

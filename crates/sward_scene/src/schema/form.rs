@@ -1,5 +1,6 @@
 //! Keys for what a plant is drawn as.
 
+use super::PictureFile;
 use serde::Deserialize;
 
 /// What a plant is drawn as near the camera, in views whose technique leaves the choice.
@@ -25,11 +26,13 @@ pub struct StripFile {
     pub orange: f32,
     /// Height in pixels about which it changes to fewer rings, above 0; default 70.
     pub few_rings_px: f32,
+    /// A picture of the blade, in greys that the species' colours tint; default: the library's own.
+    pub texture: Option<PictureFile>,
 }
 
 impl Default for StripFile {
     fn default() -> Self {
-        let sward::Strip { fold_deg, sway, orange, few_rings_px } = sward::Strip::default();
-        Self { fold_deg, sway, orange, few_rings_px }
+        let sward::Strip { fold_deg, sway, orange, few_rings_px, .. } = sward::Strip::default();
+        Self { fold_deg, sway, orange, few_rings_px, texture: None }
     }
 }
