@@ -1,6 +1,7 @@
 //! The GPU pipeline as a host drives it, against the stages' CPU references.
 
 mod canopy;
+mod clusters;
 mod colliders;
 mod compaction;
 mod debugging;

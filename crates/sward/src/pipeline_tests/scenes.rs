@@ -8,8 +8,8 @@ use crate::grow::Blade;
 use crate::shared::curve_twin::project_tip;
 use crate::shared::noise_twin::hash01;
 use crate::{
-    BladeOrder, Culling, Field, Gravity, Gusts, Metric, PhysicsModel, Range, Shape, Species, View,
-    Waves, Wind, WindSource,
+    BladeOrder, Culling, Field, Gravity, Gusts, Metric, PhysicsModel, Range, Shape, Species,
+    Technique, View, Waves, Wind, WindSource,
 };
 use glam::camera::rh::{
     proj::directx::{orthographic, perspective},
@@ -112,7 +112,9 @@ pub(super) fn random_states(seed: u32, blades: &[Decoded], model: PhysicsModel) 
 pub(super) fn look(eye: Vec3, target: Vec3) -> View<'static> {
     let aspect = SIZE[0] as f32 / SIZE[1] as f32;
     let clip = perspective(60_f32.to_radians(), aspect, 0.1, 200.0);
-    View::new(look_at_mat4(eye, target, Vec3::Y), clip, SIZE)
+    // Single blades, whose stages most tests are of
+    let view = View::new(look_at_mat4(eye, target, Vec3::Y), clip, SIZE);
+    View { technique: Technique::Blades, ..view }
 }
 
 /// A level camera at the height of an upright one-metre blade's middle, 5 m in front of it.

@@ -24,17 +24,33 @@ struct Ring {
     // Curve parameter's odd part: how far to move along the second difference
     bend: f32,
     share: f32,
+    // How far it lies outside the curve, likewise: see `outward`
+    outward: f32,
+}
+
+// Straight pieces between points of a curve all lie inside it: a blade of two would look a pixel
+// shorter and less bent than it is. So inner rings lie so far outside that their mean is right.
+fn outward(segments: f32, ring: f32) -> f32 {
+    if segments < 2.0 || ring < 0.5 || ring > segments - 0.5 {
+        return 0.0;
+    }
+    return 1.0 / (6.0 * segments * (segments - 1.0));
 }
 
 fn ring_of(shape: u32, tip: f32, v: f32, morph: f32) -> Ring {
     let share = outline(shape, tip, v);
     let ring = u32(round(v * f32(SEGMENTS)));
+    let pieces = f32(SEGMENTS);
+    let own = outward(pieces, f32(ring));
     if (ring & 1u) == 0u {
-        return Ring(0.0, share);
+        return Ring(0.0, share, mix(own, outward(0.5 * pieces, 0.5 * f32(ring)), morph));
     }
-    let step = 1.0 / f32(SEGMENTS);
+    let below = outward(0.5 * pieces, 0.5 * f32(ring) - 0.5);
+    let above = outward(0.5 * pieces, 0.5 * f32(ring) + 0.5);
+    let step = 1.0 / pieces;
     let chord = 0.5 * (outline(shape, tip, v - step) + outline(shape, tip, min(v + step, 1.0)));
-    return Ring(morph * step * step, mix(share, chord, morph));
+    let beyond = mix(own, 0.5 * (below + above), morph);
+    return Ring(morph * step * step, mix(share, chord, morph), beyond);
 }
 
 // A cut across the blade at v.

@@ -6,23 +6,27 @@
 const CLUSTER_BLADES: u32 = 32u;
 // Share of the change over which one cluster grows
 const CLUSTER_GROWS: f32 = 0.25;
+// Share over which the anchor itself shrinks before
+const ANCHOR_SHRINKS: f32 = 0.1;
 
 // Plants of a patch of so many that may be drawn as clusters: the first of its order.
 fn anchor_count(count: u32) -> u32 {
     return (count + CLUSTER_BLADES - 1u) / CLUSTER_BLADES;
 }
 
-// How far the change has gone where the grass is so many pixels high: 0 not begun, 1 over.
+// How far the change has gone where the grass is so many pixels high: 0 begins, 1 over; down to -1
+// before it.
 fn cluster_progress(height_px: f32) -> f32 {
     if has(CULL_PAPER) || !has(CULL_DISTANCE) || height_px <= 0.0 {
-        return 0.0;
+        return -1.0;
     }
     let range = view.cluster_height;
-    return clamp(log2(range.x / max(height_px, 1e-6)) / log2(range.x / range.y), 0.0, 1.0);
+    return clamp(log2(range.x / max(height_px, 1e-6)) / log2(range.x / range.y), -1.0, 1.0);
 }
 
 // Mean growth of the clusters then, which each begin at a point of their own, evenly spread.
-fn clusters_grown(progress: f32) -> f32 {
+fn clusters_grown(change: f32) -> f32 {
+    let progress = max(change, 0.0);
     let last = 1.0 - CLUSTER_GROWS;
     let whole = max(progress - CLUSTER_GROWS, 0.0);
     let yet = max(progress - last, 0.0);
@@ -100,7 +104,7 @@ fn thinned_further(form: Choice, place: Place, left: f32) -> Choice {
 fn choose_continuum(blade: Blade, size: Size, place: Place) -> Choice {
     let height = field.cluster.x * pixels_per_metre(size.distance);
     let progress = cluster_progress(height);
-    if progress <= 0.0 {
+    if progress <= -ANCHOR_SHRINKS {
         return choose_near(blade, size, place, 1.0);
     }
     if place.local >= anchor_count(place.count) {
@@ -113,7 +117,7 @@ fn choose_continuum(blade: Blade, size: Size, place: Place) -> Choice {
     }
     // The plant itself shrinks before its cluster grows
     var choice = choose_near(blade, size, place, 1.0 - clusters_grown(progress));
-    choice.fade *= clamp((begins - progress) / (0.5 * begins), 0.0, 1.0);
+    choice.fade *= clamp((begins - progress) / ANCHOR_SHRINKS, 0.0, 1.0);
     choice.bucket = select(choice.bucket, NO_BUCKET, choice.fade <= 0.0);
     return choice;
 }

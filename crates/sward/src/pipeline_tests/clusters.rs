@@ -1,0 +1,164 @@
+//! Clusters as a host meets them: what is chosen, drawn, counted and kept.
+
+use super::decoded::decode;
+use super::drawing::{covered, draw};
+use super::rig::Rig;
+use super::scenes::{breeze, look, no_culling, random_field};
+use crate::frame::cull::twin::pixels_per_metre;
+use crate::frame::level::continuum_twin::{Plant, anchor_count, choose};
+use crate::gpu::layout::{BLADE_BUCKETS, CLUSTER_BUCKET};
+use crate::gpu::view::gpu_view;
+use crate::{Culling, DebugView, Frame, Technique, View};
+use glam::{Vec3, Vec4};
+
+/// From so far away, with no test but that by size.
+fn from(distance_m: f32) -> View<'static> {
+    let view = look(Vec3::new(0.0, 0.25 * distance_m, distance_m), Vec3::ZERO);
+    let culling = Culling { distance: true, ..no_culling() };
+    View { technique: Technique::Continuum, culling, ..view }
+}
+
+fn rig(blades: u32) -> Rig {
+    Rig::new(random_field(7, blades, 4.0, 256))
+}
+
+fn count(rig: &Rig, bucket: usize) -> u32 {
+    rig.list(0).1[bucket].count
+}
+
+/// Near there are blades only; then both; then clusters only, of which few are run; then nothing.
+#[test]
+fn blades_turn_into_clusters_and_clusters_into_ground() {
+    let mut rig = rig(4096);
+    let (mut last_clusters, mut fewest) = (0, u64::MAX);
+    let mut seen = [false; 3];
+    for step in 0..40 {
+        let distance = 3.0 * 1.2_f32.powi(step);
+        rig.step(&Frame::new(0.02, &breeze()), &[from(distance)]);
+        let blades: u32 = (0..BLADE_BUCKETS).map(|b| count(&rig, b)).sum();
+        let clusters = count(&rig, CLUSTER_BUCKET);
+        let statistics = rig.statistics();
+        assert_eq!(statistics.clusters_drawn, u64::from(clusters));
+        assert_eq!(statistics.drawn_by_level.iter().sum::<u64>(), u64::from(blades));
+        assert_eq!(statistics.blades_drawn, u64::from(blades + clusters));
+        assert!(clusters <= anchor_count(4096), "one a plant");
+        seen[0] |= clusters == 0 && blades > 0;
+        seen[1] |= clusters > 0 && blades > 0;
+        if clusters > 0 && blades == 0 {
+            seen[2] = true;
+            fewest = fewest.min(statistics.blades_moved);
+            assert!(statistics.vertices <= 4 * u64::from(clusters));
+        }
+        last_clusters = clusters;
+    }
+    // One band of each patch is enough
+    assert!(fewest <= 4096 / 256 * 64, "{fewest} blades are run");
+    assert!(seen.iter().all(|s| *s) && last_clusters == 0, "{seen:?}, {last_clusters}");
+}
+
+/// Each blade's form and width against the reference.
+#[test]
+fn decisions_equal_the_reference() {
+    let mut rig = rig(2048);
+    for distance in [14.0, 20.0, 28.0, 36.0, 60.0, 250.0] {
+        let view = from(distance);
+        rig.step(&Frame::new(0.02, &breeze()), &[view]);
+        let uniform = gpu_view(&view, u32::MAX);
+        let cluster = rig.page(0).field.cluster;
+        let mut off = 0;
+        for (id, (own, gpu)) in (0..).zip(decode(&rig.field).iter().zip(rig.decisions())) {
+            let middle = own.blade.root + own.blade.up * (0.5 * own.blade.height);
+            let eye = Vec4::from(uniform.eye).truncate();
+            let scale = pixels_per_metre(&uniform, middle.distance(eye));
+            let keep = own.blade.width * scale / uniform.least_width;
+            let (local, count) = own.local;
+            let plant = Plant { id, local, count, scale, keep };
+            let (clustered, fade) = choose(&uniform, cluster, plant);
+            let steps = (fade * 31.0).ceil() as u32;
+            let Some(bits) = gpu else {
+                assert!(fade <= 0.0, "blade {id} of {distance} m is not run");
+                continue;
+            };
+            let (bucket, shown) = (usize::from(bits & 15), u32::from(bits >> 9));
+            let drawn = bucket != 15;
+            let same = drawn == (fade > 0.0)
+                && (!drawn
+                    || (bucket == CLUSTER_BUCKET) == clustered && shown.abs_diff(steps) <= 1);
+            off += usize::from(!same);
+        }
+        assert!(off <= 6, "{off} blades of {distance} m");
+    }
+}
+
+/// The picture's cover goes on through the change.
+#[test]
+fn cover_goes_on() {
+    let mut rig = Rig::new(random_field(3, 4096, 2.0, 256));
+    let (mut all, mut all_blades) = (0, 0);
+    for step in 0..16 {
+        let distance = 10.0 + step as f32;
+        let view = from(distance);
+        rig.step(&Frame::new(0.02, &breeze()), &[view]);
+        let mixed = covered(&draw(&mut rig, 0));
+        rig.cull(&[View { technique: Technique::Blades, ..view }]);
+        let blades = covered(&draw(&mut rig, 0));
+        println!("{distance} m: {mixed}, {blades} pixels");
+        (all, all_blades) = (all + mixed, all_blades + blades);
+    }
+    let ratio = all as f32 / all_blades as f32;
+    assert!((ratio - 1.0).abs() < 0.12, "{all}, {all_blades} pixels");
+}
+
+/// Nothing moves and nothing flickers where time stands still, and a saved state draws the same.
+#[test]
+fn still_frames_are_equal_and_saved_ones_too() {
+    let mut rig = rig(4096);
+    let wind = breeze();
+    let view = from(24.0);
+    for _ in 0..3 {
+        rig.step(&Frame::new(0.02, &wind), &[view]);
+    }
+    let frame = Frame::new(0.0, &wind);
+    rig.step(&frame, &[view]);
+    let first = draw(&mut rig, 0);
+    assert!(count(&rig, CLUSTER_BUCKET) > 0);
+    for _ in 0..3 {
+        rig.step(&frame, &[view]);
+        assert!(draw(&mut rig, 0) == first);
+    }
+    let state = rig.renderer.save_state(&rig.device, &rig.queue).expect("saved");
+    rig.step(&Frame::new(0.3, &wind), &[view]);
+    assert!(draw(&mut rig, 0) != first, "wind moves clusters");
+    rig.renderer.restore_state(&rig.queue, &state).expect("restored");
+    rig.step(&frame, &[view]);
+    assert!(draw(&mut rig, 0) == first);
+}
+
+/// The mean tip of each patch, which moves its clusters.
+#[test]
+fn a_patch_knows_its_mean_tip() {
+    let mut rig = rig(512);
+    rig.step(&Frame::new(0.05, &breeze()), &[from(20.0)]);
+    let blades = decode(&rig.field);
+    let model = crate::PhysicsModel::Sward;
+    let states = super::decoded::states(&blades, &rig.states(), model);
+    for (band, first) in rig.bands().iter().step_by(4).zip((0..512).step_by(256)) {
+        let tips = states[first..first + 64].iter().map(|state| state.tip.as_vec3());
+        let mean = tips.sum::<Vec3>() / 64.0;
+        let own = Vec3::new(band.sway_x, band.sway_y, band.sway_z);
+        assert!(own.distance(mean) < 1e-3, "{own} is not {mean}");
+    }
+}
+
+#[test]
+fn debug_views_show_clusters() {
+    let mut rig = rig(4096);
+    let view = from(24.0);
+    rig.step(&Frame::new(0.02, &breeze()), &[view]);
+    let plain = draw(&mut rig, 0);
+    rig.cull(&[View { debug: Some(DebugView::Level), ..view }]);
+    let shown = draw(&mut rig, 0);
+    assert_eq!(covered(&plain), covered(&shown));
+    let pink = shown.iter().filter(|p| p[3] > 0 && p[0] > p[1] && p[2] > p[1]).count();
+    assert!(pink * 10 > covered(&shown) * 9, "{pink}");
+}
