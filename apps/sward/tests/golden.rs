@@ -40,6 +40,7 @@ fn debug_views() {
         "half-wireframe",
         "position",
         "distance",
+        "frustum",
     ] {
         golden(
             &format!("debug/{view}"),

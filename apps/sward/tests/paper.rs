@@ -129,7 +129,7 @@ fn every_link_leads_to_a_file(folder: &Folder) {
             assert!(folder.path("out").join(&link).is_file(), "{page}: {link}");
         }
         assert!(text.contains("sward render scenes/nature.ron"), "{page}: no command");
-        assert!(text.contains("not built yet"), "{page}: nothing is said to be missing");
+        assert!(text.contains("among the scenes"), "{page}: nothing is said to be missing");
     }
 }
 

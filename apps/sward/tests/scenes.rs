@@ -32,7 +32,9 @@ scenes! {
     closeup [],
     displacement [],
     fur [],
+    garden [],
     hand ["--time", "1.8"],
+    hand_billboards ["--time", "1.8"],
     helicopter [],
     meadow [],
     minimal [],
@@ -41,6 +43,7 @@ scenes! {
     planet [],
     reference [],
     shapes [],
+    strips [],
     tornado [],
 }
 

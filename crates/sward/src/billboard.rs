@@ -30,8 +30,9 @@ pub struct Billboard {
     pub wind_turn: f32,
     /// How much lighter it gets as wind bends it, 0..=1. More shows gusts more.
     pub wind_tint: f32,
-    /// How much light it keeps from what is behind it, 0..=4, for each of its radii that the light
-    /// passes: 0 is clear, 1 a loose tuft, 4 a bush.
+    /// How much light it keeps from what is behind it, 0..=2, for each of its radii that the light
+    /// passes: 0 is clear, 0.4 a loose tuft, 1 a dense one. Its sunny side is as much brighter, so that
+    /// it is as bright in all at any setting.
     pub absorption: f32,
 }
 
@@ -90,7 +91,7 @@ impl Billboard {
             sizes: Sizes::default(),
             wind_turn: 1.0,
             wind_tint: 0.3,
-            absorption: 0.7,
+            absorption: 0.4,
         }
     }
 
@@ -113,7 +114,7 @@ impl Billboard {
         self.sizes.check(&at("sizes"))?;
         within(&at("wind_turn"), self.wind_turn, 0.0, 4.0)?;
         within(&at("wind_tint"), self.wind_tint, 0.0, 1.0)?;
-        within(&at("absorption"), self.absorption, 0.0, 4.0)
+        within(&at("absorption"), self.absorption, 0.0, 2.0)
     }
 }
 

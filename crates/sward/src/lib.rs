@@ -111,6 +111,8 @@ pub use color_map::{ColorImage, ColorMap};
 pub use debug::{DebugColor, DebugView, Observer};
 pub use error::Error;
 pub use field::{BladeOrder, DensityMap, Field, FieldDesc, Metric, Tufts};
+pub use frame::sweep::plan::{GroundCorner, SweepMethod, ground_corners};
+pub use frame::sweep::terrain::Sweep;
 pub use frame::wind::{
     Cosine, Fan, Gusts, Rotor, Vortex, Waves, Wind, WindMap, WindSource, WindTexture,
 };

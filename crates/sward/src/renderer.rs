@@ -6,6 +6,7 @@ use crate::frame::cull::Cull;
 use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
 use crate::frame::draw::mesh::vertices_by_bucket;
+use crate::frame::sweep::patches::SweepStage;
 use crate::frame::update::{Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
@@ -23,6 +24,7 @@ mod debugging;
 mod inputs;
 mod layouts;
 mod saved;
+mod sweeping;
 
 use baked::Unbaked;
 use clock::Clock;
@@ -88,6 +90,8 @@ pub struct Renderer {
     update: Update,
     compact: Compact,
     draw: Draw,
+    /// Made when a view first sweeps.
+    sweep: Option<SweepStage>,
     /// Made when a view first asks for a debug view.
     debug: Option<Debug>,
     inputs: Inputs,
@@ -117,6 +121,7 @@ impl Renderer {
             update: Update::new(device, &layouts),
             compact: Compact::new(device, &layouts),
             draw: Draw::new(device, &layouts, targets),
+            sweep: None,
             debug: None,
             inputs: Inputs::new(device, &layouts),
             clock: Clock::default(),
@@ -157,7 +162,8 @@ impl Renderer {
             / u64::from(field.patch_size())) as usize;
         let patch_count = field.patches().len();
         let first_page = self.pages.len();
-        let plants = PlantLayers::new(field.species().iter().filter_map(|s| s.form.look()));
+        let looks: Vec<_> = field.species().iter().filter_map(|s| s.form.look()).collect();
+        let plants = PlantLayers::new(looks.iter());
         plants.check(&available)?;
         let species = species_table(field, &plants);
         let (pictures, uploads) = self.layouts.no_pictures.of_plants(device, &plants);
@@ -288,8 +294,9 @@ impl Renderer {
             let all = self.pages[page].field.blade_count;
             self.ensure_view(device, page, index, Some(view.max_blades.unwrap_or(all)));
             self.ensure_pipelines(device, page, index, view.technique);
+            let mut uniform = gpu_view(view, self.pages[page].views[index].capacity);
+            self.prepare_sweep(device, encoder, (page, index), view, &mut uniform);
             let lists = &self.pages[page].views[index];
-            let uniform = gpu_view(view, lists.capacity);
             buffers::write(device, encoder, &lists.view, bytemuck::bytes_of(&uniform));
         }
         Ok(())
@@ -322,6 +329,9 @@ impl Renderer {
             pass.set_bind_group(0, self.inputs.group(), &[]);
             pass.set_bind_group(1, &page.group, &[]);
             pass.set_bind_group(3, depth.as_ref().unwrap_or(&self.layouts.no_depth), &[]);
+            if stage == Stage::PatchCull {
+                self.encode_sweep(&mut pass, page, lists, view);
+            }
             let mut update = |work| self.update.encode(&mut pass, page, lists, work, multisampled);
             match stage {
                 Stage::PatchCull => self.cull.encode(&mut pass, page, lists),

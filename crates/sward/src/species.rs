@@ -1,7 +1,8 @@
 //! Species: what one kind of plant is.
 
 use crate::error::{above_zero, within};
-use crate::{Billboard, Error, Look};
+use crate::{Billboard, Error, Look, Picture};
+use std::sync::Arc;
 
 /// Longest and widest blade, metres.
 const LARGEST_M: f32 = 1000.0;
@@ -59,10 +60,49 @@ pub enum Shape {
     Dandelion,
 }
 
-/// Two textured strips at an angle about a shared middle line (Olofsson and Silven).
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
-pub struct Strip {}
+/// Two textured triangle strips that share the plant's middle line (Olofsson and Silven 2012, called
+/// O), of the species' own height and width. They follow the plant's curve, so wind, gravity and
+/// colliders move them, and sway beside on a sinusoid. The texture gives their outline: the species'
+/// [`Shape`] and ridge are not used.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Strip {
+    /// Angle that the two strips are folded towards each other by, degrees, 0..=150: 0 is one flat
+    /// blade; higher is seen from more sides, and narrower from the front.
+    pub fold_deg: f32,
+    /// How far the tip swings on O's sinusoid at wind of strength 1, radians, 0..=1. Each plant has a
+    /// phase of its own; the strongest cosine of the wind gives the time, the winds that blow
+    /// everywhere the strength. 0 leaves all motion to the physics.
+    pub sway: f32,
+    /// Most of O's orange that is mixed into the tint of a plant, 0..=1: each has a share of its own.
+    pub orange: f32,
+    /// Height on the screen, pixels at detail 1, about which a strip changes from many rings to few;
+    /// above 0. Higher is faster, and shows corners in bent strips.
+    pub few_rings_px: f32,
+    /// A picture of the blade in place of the library's own, [`Picture::strip`]: its tip above, in greys
+    /// of a mean reflectance of about a half, which the species' colours tint.
+    pub texture: Option<Arc<Picture>>,
+}
+
+impl Default for Strip {
+    fn default() -> Self {
+        Self { fold_deg: 60.0, sway: 0.2, orange: 0.35, few_rings_px: 70.0, texture: None }
+    }
+}
+
+impl Strip {
+    fn check(&self, path: &str) -> Result<(), Error> {
+        let at = |setting: &str| format!("{path}.{setting}");
+        within(&at("fold_deg"), self.fold_deg, 0.0, 150.0)?;
+        within(&at("sway"), self.sway, 0.0, 1.0)?;
+        within(&at("orange"), self.orange, 0.0, 1.0)?;
+        above_zero(&at("few_rings_px"), self.few_rings_px, 1e6)
+    }
+
+    /// What `GpuSpecies::look_values` holds of it.
+    pub(crate) fn values(&self) -> [f32; 4] {
+        [self.fold_deg.to_radians(), self.sway, self.orange, self.few_rings_px]
+    }
+}
 
 /// What a plant is drawn as near the camera, in views whose technique leaves the choice.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -88,10 +128,11 @@ impl Form {
     }
 
     /// What is painted or given for it; none for blades, and for strips of the library's own texture.
-    pub(crate) fn look(&self) -> Option<&Look> {
+    pub(crate) fn look(&self) -> Option<Look> {
         match self {
-            Self::Blade | Self::Strip(_) => None,
-            Self::Billboard(billboard) => Some(&billboard.look),
+            Self::Blade => None,
+            Self::Strip(strip) => strip.texture.clone().map(Look::Picture),
+            Self::Billboard(billboard) => Some(billboard.look.clone()),
         }
     }
 }
@@ -159,6 +200,9 @@ impl Species {
         {
             let cause = format!("{tip} is out of range; use 0 to below 1");
             return Err(Error::setting(at("shape.tip"), cause));
+        }
+        if let Form::Strip(strip) = &self.form {
+            strip.check(&at("form.strip"))?;
         }
         self.height_m.check(&at("height_m"), Some(LARGEST_M))?;
         self.width_m.check(&at("width_m"), Some(LARGEST_M))?;

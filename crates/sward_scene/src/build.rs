@@ -2,6 +2,7 @@
 
 mod colors;
 mod fields;
+mod forms;
 mod inside;
 mod pictures;
 pub(crate) mod plants;

@@ -1,5 +1,6 @@
 //! `sward render`: pictures and sequences.
 
+mod frustum;
 mod garden;
 mod look;
 mod places;
@@ -12,7 +13,7 @@ use crate::states::States;
 use crate::table::thousands;
 use crate::technique::TechniqueChoice;
 use crate::video::Video;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use look::{DebugChoice, Look};
 use std::io::Write;
 use std::ops::Range;
@@ -133,6 +134,9 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     }
     let options = options(&args, &scene, &gpu)?;
     output.prepare()?;
+    if args.debug == Some(DebugChoice::Frustum) {
+        return map_frustum(&args, &output, (&scene, &gpu, &options), quiet);
+    }
     let clock = Clock::new(args.fps.unwrap_or_else(|| f64::from(scene.fps)));
     let mut sink = Sink::open(output, args.size.0, clock.fps())?;
     let states = run_states(&args, &scene, &gpu, &options, clock)?;
@@ -170,6 +174,24 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
             what(&args),
             thousands(blades),
         )?;
+    }
+    Ok(())
+}
+
+/// `--debug frustum`: a map, for which nothing has to grow.
+fn map_frustum(
+    args: &Args,
+    output: &Output,
+    (scene, gpu, options): (&Scene, &Gpu, &StageOptions),
+    quiet: bool,
+) -> Result<()> {
+    if args.frames.is_some() {
+        bail!("--debug frustum is one picture, of no time: leave --frames out");
+    }
+    let (picture, found) = frustum::picture(scene, gpu, options)?;
+    write_picture(&output.file(0), &picture)?;
+    if !quiet {
+        writeln!(std::io::stdout(), "{}: {found}", what(args))?;
     }
     Ok(())
 }

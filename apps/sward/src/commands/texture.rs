@@ -32,7 +32,7 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 256)]
     size: u32,
     /// Which variant: the same seed gives the same picture
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// Write the normals to this file too: red right, green up, blue towards the viewer
     #[arg(long, value_name = "FILE", conflicts_with = "mips")]
@@ -81,7 +81,7 @@ impl Args {
         };
         only_plants("--above", self.above)?;
         only_plants("--turned", self.turned.is_some())?;
-        only_plants("--seed", self.seed != 0 && what == What::Strip)?;
+        only_plants("--seed", self.seed != 1 && what == What::Strip)?;
         if what == What::Atlas && self.normal.is_some() {
             bail!("--normal: an atlas has none; name a kind of plant");
         }

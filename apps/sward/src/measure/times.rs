@@ -23,7 +23,7 @@ pub struct Times {
     pub visibility: Vec<f32>,
     /// Opaque things, grass, sky.
     pub draw: Vec<f32>,
-    /// Tone mapping.
+    /// Fog and depth of field where the scene has them, tone mapping.
     pub post: Vec<f32>,
 }
 

@@ -39,6 +39,7 @@ pub(super) struct GpuStageFrame {
 #[derive(Debug)]
 pub(super) struct FrameUniform {
     values: GpuStageFrame,
+    camera: CameraMatrices,
     fog: Option<FogSettings>,
     depth_of_field: Option<DepthOfFieldSettings>,
     height_px: f32,
@@ -93,8 +94,11 @@ impl FrameUniform {
             layout: &layout,
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
         });
+        let camera =
+            CameraMatrices { view_from_world: Mat4::IDENTITY, clip_from_view: Mat4::IDENTITY };
         Self {
             values,
+            camera,
             fog: options.fog,
             depth_of_field: options.depth_of_field,
             height_px: options.size[1] as f32,
@@ -102,6 +106,11 @@ impl FrameUniform {
             layout,
             group,
         }
+    }
+
+    /// The camera that was written last.
+    pub fn camera(&self) -> CameraMatrices {
+        self.camera
     }
 
     /// Takes effect when the camera is next written.
@@ -131,6 +140,7 @@ impl FrameUniform {
     /// Takes effect with the next submission.
     pub fn write(&mut self, queue: &wgpu::Queue, camera: CameraMatrices, samples_a_side: f32) {
         let world_from_view = camera.view_from_world.inverse();
+        self.camera = camera;
         self.values.clip_from_world = camera.clip_from_view * camera.view_from_world;
         self.values.view_from_clip = camera.clip_from_view.inverse();
         self.values.world_from_view = world_from_view;

@@ -63,3 +63,14 @@ fn ground_material(p: vec3<f32>, normal: vec3<f32>, soil: vec3<f32>, grass: vec4
     let along = slope - normal * dot(slope, normal);
     return Ground(albedo, normalize(normal - along * 1.3), far * share);
 }
+
+// Share of the ground that shows the grass's look in place of grass that is too small to be drawn.
+fn grass_on_ground(up: vec3<f32>, place: vec3<f32>, to_eye: vec3<f32>) -> f32 {
+    let ahead = -frame.world_from_view[2].xyz;
+    let away = distance(frame.eye.xyz, place);
+    // On a plane 1 m ahead of the eye, so many metres lie between pixels, the same all over it
+    let on_plane = -to_eye / max(dot(-to_eye, ahead), 1e-3);
+    let metre_px = 1.0 / max(length(dpdy(on_plane)) * frame.samples_a_side, 1e-7);
+    let gone = canopy_gone(canopy.size.z * metre_px / away);
+    return canopy_on_ground(canopy_coverage(up, to_eye), gone);
+}

@@ -107,6 +107,14 @@ impl GpuMesh {
         }
     }
 
+    /// Draws the cells that a sweep lists; of meshes with one placement.
+    pub fn draw_swept(&self, pass: &mut wgpu::RenderPass, sweep: &sward::Sweep) {
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_vertex_buffer(1, self.placements.slice(..));
+        pass.set_index_buffer(sweep.indices().slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed_indirect(sweep.indirect(), 0);
+    }
+
     pub fn draw(&self, pass: &mut wgpu::RenderPass) {
         if self.placement_count == 0 {
             return;

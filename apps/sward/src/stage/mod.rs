@@ -6,6 +6,7 @@
 mod clock;
 mod frame;
 mod fullscreen;
+mod grass_look;
 mod meshes;
 mod movers;
 mod opaque;
@@ -16,6 +17,7 @@ mod reference;
 mod resume;
 mod shapes;
 mod sky;
+mod swept;
 mod targets;
 mod texture;
 
@@ -25,6 +27,7 @@ pub use options::{StageOptions, no_culling};
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
 use anyhow::{Context, Result};
 use frame::{CameraMatrices, FrameUniform};
+use grass_look::GrassLook;
 use image::RgbImage;
 use movers::Movers;
 use opaque::Opaque;
@@ -32,7 +35,7 @@ use options::view;
 use post::{Drawn, Post};
 use reference::{Crop, Supersampled};
 use sky::Sky;
-use sward::{Field, Frame, Light, Renderer, Statistics, Wind};
+use sward::{Field, Frame, Light, Renderer, Statistics, View, Wind};
 use sward_scene::{Daylight, Scene, SceneWind, ShadeSettings};
 use targets::Targets;
 
@@ -97,7 +100,9 @@ impl Stage {
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);
-        let opaque = Opaque::new(gpu, &uniform, scene, &movers, samples);
+        let grass = GrassLook::of_objects(scene, fields, &options);
+        let opaque =
+            Opaque::new(gpu, &uniform, scene, &movers, &grass, (samples, options.technique));
         let sky = Sky::new(device, &uniform, samples);
         let post = Post::new(device, &uniform, targets.picture.format(), &options);
         let mut stage = Self {
@@ -233,6 +238,9 @@ impl Stage {
         if self.depth_is_opaque {
             return;
         }
+        let camera = self.uniform.camera();
+        let seen = View::new(camera.view_from_world, camera.clip_from_view, self.crop.size);
+        self.opaque.sweep(&self.gpu.device, encoder, &seen);
         let clear = wgpu::LoadOp::Clear(1.0);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("sward.stage.depth"),

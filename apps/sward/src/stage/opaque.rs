@@ -2,10 +2,13 @@
 //! colour after, so that ground under the grass is not shaded.
 
 use super::frame::FrameUniform;
+use super::grass_look::GrassLook;
 use super::meshes::{self, GpuMesh, GpuPlacement, VERTEX_BUFFERS};
 use super::movers::Movers;
+use super::swept::Swept;
 use super::texture::{self, Uploader};
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
+use sward::Technique;
 use sward::frame::light::SHADE_WGSL;
 use sward_scene::Scene;
 
@@ -16,6 +19,8 @@ pub(super) struct Opaque {
     color: wgpu::RenderPipeline,
     /// Those that rest.
     objects: Vec<GpuMesh>,
+    /// Of those that carry grass, in scenes drawn by strips: the cells that the camera sees.
+    swept: Vec<Option<Swept>>,
     moving: Vec<GpuMesh>,
     placed: Vec<Vec<GpuPlacement>>,
 }
@@ -26,16 +31,20 @@ impl Opaque {
         frame: &FrameUniform,
         scene: &Scene,
         movers: &Movers,
-        samples: u32,
+        grass: &[GrassLook],
+        (samples, technique): (u32, Technique),
     ) -> Self {
         let layout = texture::layout(&gpu.device);
         let uploader = Uploader::new(&gpu.device, &gpu.queue, &layout);
-        let objects = (0..scene.objects.len())
-            .filter(|&i| scene.objects[i].visible && scene.objects[i].path.is_none())
+        let resting = (0..scene.objects.len())
+            .filter(|&i| scene.objects[i].visible && scene.objects[i].path.is_none());
+        let swept = resting.clone().map(|i| Swept::new(gpu, &scene.objects[i], technique));
+        let swept = swept.collect();
+        let objects = resting
             .map(|i| {
                 let object = &scene.objects[i];
                 let placement = meshes::object_placement(scene, i);
-                let texture = uploader.upload(object.texture.as_ref());
+                let texture = uploader.upload(object.texture.as_ref(), &grass[i]);
                 let mesh = meshes::with_normals(&object.mesh);
                 GpuMesh::new(&gpu.device, &mesh, &[placement], texture)
             })
@@ -44,12 +53,12 @@ impl Opaque {
         let things = movers.things(scene).into_iter().zip(&placed);
         let moving = things
             .map(|(thing, placed)| {
-                let texture = uploader.upload(thing.texture);
+                let texture = uploader.upload(thing.texture, &GrassLook::none());
                 GpuMesh::new(&gpu.device, &thing.mesh, placed, texture)
             })
             .collect();
         let make = |colored| pipeline(&gpu.device, &frame.layout, &layout, samples, colored);
-        Self { depth: make(false), color: make(true), objects, moving, placed }
+        Self { depth: make(false), color: make(true), objects, swept, moving, placed }
     }
 
     /// Moves what moves; says whether anything has moved.
@@ -62,6 +71,18 @@ impl Opaque {
             self.placed = placements;
         }
         moved
+    }
+
+    /// Lists what a camera sees of the swept grounds; before their depth is drawn for it.
+    pub fn sweep(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        view: &sward::View,
+    ) {
+        for swept in self.swept.iter_mut().flatten() {
+            swept.encode(device, encoder, view);
+        }
     }
 
     /// Fills the depth.
@@ -82,7 +103,14 @@ impl Opaque {
     ) {
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &frame.group, &[]);
-        for mesh in self.objects.iter().chain(&self.moving) {
+        for (mesh, swept) in self.objects.iter().zip(&self.swept) {
+            pass.set_bind_group(1, &mesh.texture, &[]);
+            match swept.as_ref().and_then(Swept::listed) {
+                Some(sweep) => mesh.draw_swept(pass, sweep),
+                None => mesh.draw(pass),
+            }
+        }
+        for mesh in &self.moving {
             pass.set_bind_group(1, &mesh.texture, &[]);
             mesh.draw(pass);
         }
@@ -100,7 +128,12 @@ fn pipeline(
     let shader = super::shader(
         device,
         label,
-        &[SHADE_WGSL, include_str!("ground.wgsl"), include_str!("opaque.wgsl")],
+        &[
+            SHADE_WGSL,
+            sward::canopy::WGSL,
+            include_str!("ground.wgsl"),
+            include_str!("opaque.wgsl"),
+        ],
     );
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(label),

@@ -2,6 +2,9 @@
 
 @group(1) @binding(0) var base_texture: texture_2d<f32>;
 @group(1) @binding(1) var base_sampler: sampler;
+@group(1) @binding(2) var<uniform> canopy: GpuCanopy;
+// x how far grass stands upright: 0 along the surface's normal, 1 straight up
+@group(1) @binding(3) var<uniform> stance: vec4<f32>;
 
 struct VertexIn {
     @location(0) position: vec3<f32>,
@@ -84,24 +87,31 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
     // A zero normal, as a degenerate corner has, must not become NaN.
     var n = in.normal / max(length(in.normal), 1e-12);
     n = select(-n, n, front);
-    var albedo = striped(in.material.rgb, in.stripe, in.uv) * in.color * texel;
-    var canopy = 0.0;
+    let base = striped(in.material.rgb, in.stripe, in.uv) * in.color * texel;
+    var albedo = base;
+    let up = normalize(mix(n, vec3(0.0, 1.0, 0.0), stance.x) + vec3(0.0, 1e-6, 0.0));
+    let grass = grass_on_ground(up, in.world, v);
+    var sunlit = 0.0;
     if in.grass.w >= 0.0 {
         let ground = ground_material(in.world, n, albedo, in.grass, pixel_m);
         albedo = ground.albedo;
         n = ground.normal;
-        canopy = ground.canopy;
+        sunlit = ground.canopy;
     }
     let l = frame.to_sun.xyz;
     let lit = max(dot(n, l), 0.0);
     let ambient = mix(frame.ground.rgb, frame.sky.rgb, n.y * 0.5 + 0.5);
     // Blades stand across the ground: the canopy is lit from the side too.
-    let received = mix(lit, 0.35 + 0.65 * lit, canopy * smoothstep(-0.3, 0.2, dot(n, l)));
+    let received = mix(lit, 0.35 + 0.65 * lit, sunlit * smoothstep(-0.3, 0.2, dot(n, l)));
     let shaded = shade_pattern(in.world, l, frame.shade, frame.shade_offset);
     let sun = frame.sun.rgb * (1.0 - shaded);
     var color = albedo * (sun * received / PI + ambient);
     if in.grass.w < 0.0 {
         color += sun * lit * gloss(n, v, l, in.material.w);
+    }
+    if grass > 0.002 {
+        let look = canopy_radiance(up, v, 0.0, shaded) * canopy_tint(base);
+        color = mix(color, look, grass);
     }
     let clear = exp(-frame.haze.w * distance(frame.eye.xyz, in.world));
     return vec4(mix(frame.haze.rgb, color, clear), 1.0);

@@ -1,9 +1,10 @@
-//! Base colour textures with mipmaps.
+//! Base colour textures with mipmaps, and the look of the grass beside them.
 
+use super::grass_look::GrassLook;
 use sward_scene::TextureImage;
 use wgpu::util::{DeviceExt, TextureDataOrder};
 
-/// Bind group layout of a texture and its sampler, group 1 of the opaque pass.
+/// Bind group layout of a texture, its sampler and the grass's look, group 1 of the opaque pass.
 pub(super) fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
         binding,
@@ -17,9 +18,14 @@ pub(super) fn layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         multisampled: false,
     };
     let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
+    let uniform = wgpu::BindingType::Buffer {
+        ty: wgpu::BufferBindingType::Uniform,
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    };
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("sward.stage.texture"),
-        entries: &[entry(0, texture), entry(1, sampler)],
+        entries: &[entry(0, texture), entry(1, sampler), entry(2, uniform), entry(3, uniform)],
     })
 }
 
@@ -50,7 +56,8 @@ impl<'a> Uploader<'a> {
     }
 
     /// Without an image: white, which changes nothing that it multiplies.
-    pub fn upload(&self, image: Option<&TextureImage>) -> wgpu::BindGroup {
+    pub fn upload(&self, image: Option<&TextureImage>, grass: &GrassLook) -> wgpu::BindGroup {
+        let [canopy, stance] = grass.buffers(self.device);
         let (width, height, data, levels) = match image {
             None => (1, 1, vec![255; 4], 1),
             Some(image) => {
@@ -86,6 +93,8 @@ impl<'a> Uploader<'a> {
                     binding: 1,
                     resource: wgpu::BindingResource::Sampler(&self.sampler),
                 },
+                wgpu::BindGroupEntry { binding: 2, resource: canopy.as_entire_binding() },
+                wgpu::BindGroupEntry { binding: 3, resource: stance.as_entire_binding() },
             ],
         })
     }

@@ -1,6 +1,6 @@
 //! Which draw lists the plants of a page may be in.
 
-use super::layout::{BILLBOARD_BUCKETS, BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET};
+use super::layout::{BILLBOARD_BUCKETS, BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET, STRIP_BUCKETS};
 use super::quantize::has_flat_tip;
 use crate::{Form, Look, Species, Technique};
 
@@ -12,9 +12,14 @@ impl Buckets {
     /// Those that plants of these species may be in, in a view of that technique.
     pub fn of(species: &[Species], technique: Technique) -> Self {
         match technique {
-            Technique::Blades | Technique::Strips => Self::blades(species.iter()),
+            Technique::Blades => Self::blades(species.iter()),
+            Technique::Strips => Self::strips(),
             Technique::Billboards => Self::bands(species),
-            Technique::Continuum => Self(Self::bands(species).0 | 1 << CLUSTER_BUCKET),
+            Technique::Continuum => {
+                let strips = species.iter().any(|s| matches!(s.form, Form::Strip(_)));
+                let strips = if strips { Self::strips().0 } else { 0 };
+                Self(Self::bands(species).0 | strips | 1 << CLUSTER_BUCKET)
+            }
         }
     }
 
@@ -34,6 +39,11 @@ impl Buckets {
         let quads = if any_quads { 1 << middle | 1 << far } else { 0 };
         let models = if species.iter().any(modelled) { 1 << MODEL_BUCKET } else { 0 };
         Self(blades.0 | quads | models)
+    }
+
+    /// Every plant a strip.
+    fn strips() -> Self {
+        Self(STRIP_BUCKETS.iter().fold(0, |all, bucket| all | 1 << bucket))
     }
 
     /// In order.

@@ -72,6 +72,7 @@ pub struct GpuFrame {
     pub sky: [f32; 4],
     pub ground: [f32; 4],
     pub haze: [f32; 4],
+    pub sway: [f32; 4],
     pub shade: [f32; 4],
     pub dt_s: f32,
     pub gravity_blend: f32,
@@ -105,7 +106,7 @@ pub struct GpuPatch {
     pub origin: [f32; 3],
     pub edge: f32,
     pub reach_min: [f32; 3],
-    pub reserved: f32,
+    pub cell: u32,
     pub reach_max: [f32; 3],
     pub max_width: f32,
 }

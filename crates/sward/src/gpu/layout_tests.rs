@@ -7,6 +7,7 @@ use super::view;
 use crate::frame::collide::primitive::{self, GpuPrimitive};
 use crate::frame::debug::{CORNER_STRIDE, GpuDebug};
 use crate::frame::draw::topology::BLADES_PER_INSTANCE;
+use crate::frame::sweep::plan::GpuSweep;
 use crate::frame::wind::GpuWindSource;
 use crate::{Billboard, Form, Plant, Strip, Technique};
 use std::mem::{offset_of, size_of};
@@ -37,6 +38,7 @@ fn structs() -> Vec<Expected> {
             sky,
             ground,
             haze,
+            sway,
             shade,
             dt_s,
             gravity_blend,
@@ -77,7 +79,7 @@ fn structs() -> Vec<Expected> {
             reserved,
         }),
         expected!(GpuField { blade_count, patch_count, patch_size, first_id, cluster }),
-        expected!(GpuPatch { origin, edge, reach_min, reserved, reach_max, max_width }),
+        expected!(GpuPatch { origin, edge, reach_min, cell, reach_max, max_width }),
         expected!(GpuSpecies {
             height,
             width,
@@ -123,6 +125,21 @@ fn structs() -> Vec<Expected> {
         expected!(GpuDraw { start, count, dropped, reserved }),
         expected!(GpuSurfel { normal, weight, albedo, height_share }),
         expected!(GpuCanopy { size, pose, tint, tint_mean, rows, surfels }),
+        expected!(GpuSweep {
+            origin,
+            cell,
+            columns,
+            rows,
+            low,
+            high,
+            margin,
+            far_value,
+            push,
+            method,
+            reserved_a,
+            reserved_b,
+            reserved_c,
+        }),
         expected!(GpuDebug { mode, reserved_a, reserved_b, reserved_c, palette }),
     ]
 }
@@ -199,6 +216,7 @@ fn constants_agree_with_the_shaders() {
         ("CULL_PAPER", view::PAPER),
         ("WIDTH_CORRECTION", view::WIDTH_CORRECTION),
         ("HAS_DEPTH", view::HAS_DEPTH),
+        ("GROUND_SWEPT", view::GROUND_SWEPT),
         ("LEVELS", SEGMENTS.len() as u32),
         ("CORNER_STRIDE", CORNER_STRIDE as u32),
     ];

@@ -12,6 +12,8 @@ use super::pictures::Pictures;
 use super::quantize::{gpu_patch, pack_blade};
 use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
 use crate::frame::draw::pipelines::Variant;
+use crate::frame::sweep::grid::Grid;
+use crate::frame::sweep::patches::{NO_CELL, PatchSweep, patch_grid};
 use crate::renderer::Layouts;
 use crate::{Field, PhysicsModel, Shape, Technique};
 use bytemuck::Zeroable;
@@ -52,6 +54,8 @@ pub struct ViewLists {
     pub compact: wgpu::BindGroup,
     /// Group 2 of drawing.
     pub draw: wgpu::BindGroup,
+    /// What the view's sweep writes.
+    pub sweep: PatchSweep,
     bytes: u64,
 }
 
@@ -60,6 +64,8 @@ pub struct ViewLists {
 pub struct Page {
     /// Counts.
     pub field: GpuField,
+    /// Cells of its patches, where it lies about level.
+    pub grid: Option<Grid>,
     /// Of everything that does not change.
     pub fingerprint: u64,
     /// Which draw lists its plants may be in, by technique.
@@ -119,6 +125,7 @@ struct Packed {
     /// A colour a blade; one that is never read where the field has none.
     tints: Vec<u32>,
     patches: Vec<GpuPatch>,
+    grid: Option<Grid>,
 }
 
 impl Packed {
@@ -136,6 +143,7 @@ impl Packed {
 /// Packs a run of patches.
 fn pack(field: &Field, first_patch: usize, patch_count: usize) -> Packed {
     let patches = &field.patches()[first_patch..first_patch + patch_count];
+    let cells = patch_grid(patches);
     let blades = patches
         .par_iter()
         .flat_map_iter(|patch| {
@@ -153,10 +161,23 @@ fn pack(field: &Field, first_patch: usize, patch_count: usize) -> Packed {
             first_id: patches.first().map_or(0, |p| p.first),
             cluster: [0.0; 4],
         },
-        patches: patches.iter().map(|p| gpu_patch(p, field.blades())).collect(),
+        patches: gpu_patches(field, patches, cells.as_ref()),
+        grid: cells.map(|(grid, _)| grid),
         tints: tints(field, patches),
         blades,
     }
+}
+
+fn gpu_patches(
+    field: &Field,
+    patches: &[crate::grow::Patch],
+    cells: Option<&(Grid, Vec<u32>)>,
+) -> Vec<GpuPatch> {
+    let own = |(i, patch)| {
+        let cell = cells.and_then(|(_, cells)| cells.get(i)).copied().unwrap_or(NO_CELL);
+        GpuPatch { cell, ..gpu_patch(patch, field.blades()) }
+    };
+    patches.iter().enumerate().map(own).collect()
 }
 
 fn tints(field: &Field, patches: &[crate::grow::Patch]) -> Vec<u32> {
@@ -237,6 +258,7 @@ impl Page {
             [&blades, &tints, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
         Self {
             field: counts,
+            grid: packed.grid,
             fingerprint,
             buckets: Technique::ALL.map(|technique| Buckets::of(field.species(), technique)),
             variant: Variant {
@@ -384,6 +406,7 @@ impl Page {
         let counted = store("sward.counted", 32, none);
         let bind =
             |label, layout, list: &[&wgpu::Buffer]| bindings::buffers(device, label, layout, list);
+        let sweep = PatchSweep::new(device, layouts, self.grid.as_ref(), &view);
         let update = [&view, &self.bands, &self.work, &self.dynamics, &self.near, &self.decisions];
         let scan = [&view, &self.bands, &self.blocks, &draws, &indirect, &counted, blade_indices];
         let compact = [&view, &self.bands, &self.blocks, &self.work, &self.decisions, &list];
@@ -393,8 +416,9 @@ impl Page {
             cull: bind(
                 "sward.cull",
                 &layouts.cull,
-                &[&view, &self.bands, &self.work, &self.work_size],
+                &[&view, &self.bands, &self.work, &self.work_size, &sweep.columns],
             ),
+            sweep,
             update: bind("sward.update", &layouts.update, &update),
             scan: bind("sward.scan", &layouts.scan, &scan),
             compact: bind("sward.compact", &layouts.compact, &compact),

@@ -1,6 +1,7 @@
 //! Blades, species and patches to their GPU form, and a blade back again.
 
 use super::layout::{GpuPatch, GpuSpecies, MAX_SPECIES};
+use crate::frame::sweep::patches::NO_CELL;
 use crate::grow::{Blade, Patch};
 use crate::plants::layers::{LayerRange, PlantLayers};
 use crate::species::{Form, Range, Shape, Species};
@@ -120,7 +121,7 @@ pub fn gpu_patch(patch: &Patch, blades: &[Blade]) -> GpuPatch {
         origin: origin.to_array(),
         edge,
         reach_min: patch.reach_min.to_array(),
-        reserved: 0.0,
+        cell: NO_CELL,
         reach_max: patch.reach_max.to_array(),
         max_width: own.iter().fold(0.0, |m, b| m.max(b.width)),
     }
@@ -241,7 +242,7 @@ pub const MODELLED: u32 = 0x100;
 fn species_look(species: &Species, plants: &PlantLayers) -> ([u32; 4], [f32; 4]) {
     let form = species.form.number();
     let LayerRange { first, count } = match species.form.look() {
-        Some(look) => plants.range(look),
+        Some(look) => plants.range(&look),
         None => plants.strip(),
     };
     match &species.form {
@@ -250,6 +251,7 @@ fn species_look(species: &Species, plants: &PlantLayers) -> ([u32; 4], [f32; 4])
             let values = [b.angle_deg.to_radians(), b.wind_turn, b.wind_tint, b.absorption];
             ([form, first, count, b.quads | modelled], values)
         }
+        Form::Strip(strip) => ([form, first, count, 0], strip.values()),
         _ => ([form, first, count, 0], [0.0; 4]),
     }
 }

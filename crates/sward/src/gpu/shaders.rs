@@ -52,12 +52,18 @@ const CLUSTER: &str = part!("frame/draw/cluster.wgsl");
 const PLANT: &str = part!("frame/draw/plant.wgsl");
 const PICTURES: &str = part!("frame/draw/pictures.wgsl");
 const QUADS: &str = part!("frame/draw/quads.wgsl");
+const STRIP_LOOK: &str = part!("frame/draw/strip_look.wgsl");
+const STRIP_SHAPE: &str = part!("frame/draw/strip_shape.wgsl");
+const STRIP: &str = part!("frame/draw/strip.wgsl");
 const BILLBOARD: &str = part!("frame/draw/billboard.wgsl");
 const OUTLINE: &str = part!("frame/draw/outline.wgsl");
 const LOBES: &str = part!("frame/draw/lobes.wgsl");
 const LOBED: &str = part!("frame/draw/lobed.wgsl");
 const BLADE_POINT: &str = part!("frame/draw/blade_point.wgsl");
 const DRAW: &str = part!("frame/draw/draw.wgsl");
+const SWEEP: &str = part!("frame/sweep/sweep.wgsl");
+const SWEEP_COLUMNS: &str = part!("frame/sweep/columns.wgsl");
+const SWEEP_TERRAIN: &str = part!("frame/sweep/terrain.wgsl");
 const LOOK: &str = part!("frame/draw/look.wgsl");
 const MODEL: &str = part!("frame/draw/model.wgsl");
 
@@ -86,6 +92,8 @@ pub enum Shader {
     DrawModel,
     /// Plants as quads.
     DrawBillboard,
+    /// Plants as strips.
+    DrawStrip,
     /// Why each blade is drawn or not, reading a single-sampled depth.
     Explain,
     /// The same, reading a multisampled depth.
@@ -94,11 +102,15 @@ pub enum Shader {
     DrawDebug,
     /// Clusters likewise.
     DrawDebugCluster,
+    /// Rows of cells that a view may see.
+    SweepColumns,
+    /// Cells and triangles of a terrain that a view may see.
+    SweepTerrain,
 }
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 18] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -110,10 +122,13 @@ impl Shader {
         Self::DrawCluster,
         Self::DrawModel,
         Self::DrawBillboard,
+        Self::DrawStrip,
         Self::Explain,
         Self::ExplainMultisampled,
         Self::DrawDebug,
         Self::DrawDebugCluster,
+        Self::SweepColumns,
+        Self::SweepTerrain,
     ];
 
     /// Label in debuggers: `sward.` and the stage's stem.
@@ -128,9 +143,11 @@ impl Shader {
             | Self::DrawLobed
             | Self::DrawCluster
             | Self::DrawModel
-            | Self::DrawBillboard => "sward.draw",
+            | Self::DrawBillboard
+            | Self::DrawStrip => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
             Self::DrawDebug | Self::DrawDebugCluster => "sward.debug",
+            Self::SweepColumns | Self::SweepTerrain => "sward.sweep",
         }
     }
 
@@ -139,7 +156,7 @@ impl Shader {
         let blade =
             [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
         let draw = blade.concat();
-        let level = [LEVEL, END, FORM, CONTINUUM, STRIPS, BANDS];
+        let level = [LEVEL, END, FORM, CONTINUUM, STRIP_LOOK, STRIPS, BANDS];
         let plant =
             [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
         let plant = plant.concat();
@@ -161,11 +178,15 @@ impl Shader {
             Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
             Self::DrawBillboard => &[&plant, &[LOOK, QUADS, BILLBOARD]],
             Self::DrawModel => &[&plant, &[LOOK, MODEL]],
+            Self::DrawStrip => &[&plant, &[STRIP_LOOK, STRIP_SHAPE, STRIP]],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
             Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG_COLORS, DEBUG]],
             Self::DrawCluster => &[&cluster],
             Self::DrawDebugCluster => &[&cluster, &[DEBUG_COLORS, DEBUG_CLUSTER]],
+            // These know the ground and a view, and no field
+            Self::SweepColumns => return vec![VIEW, SWEEP, SWEEP_COLUMNS],
+            Self::SweepTerrain => return vec![VIEW, SWEEP, SWEEP_TERRAIN],
         };
         let field = [FRAME, NOISE, BLADE, CURVE, FIELD];
         [&field[..], &rest.concat()].concat()

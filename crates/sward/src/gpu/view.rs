@@ -25,6 +25,8 @@ pub const OCCLUSION: u32 = 8;
 pub const PAPER: u32 = 16;
 pub const WIDTH_CORRECTION: u32 = 32;
 pub const HAS_DEPTH: u32 = 64;
+/// Set beside where a page is swept.
+pub const GROUND_SWEPT: u32 = 128;
 
 fn normalized_plane(plane: Vec4) -> [f32; 4] {
     let length = plane.truncate().length();

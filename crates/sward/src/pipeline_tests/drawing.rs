@@ -84,7 +84,7 @@ fn a_field_covers_pixels_and_repeats_itself() {
     assert_eq!(covered(&draw(&mut rig, 0)), 0);
 }
 
-fn blade(x: f32, species: u8) -> Blade {
+pub(super) fn blade(x: f32, species: u8) -> Blade {
     Blade {
         root: Vec3::new(x, 0.0, 0.0),
         up: Vec3::Y,
@@ -97,7 +97,7 @@ fn blade(x: f32, species: u8) -> Blade {
 }
 
 /// A view in which a blade half a metre high is this many pixels high, as the levels see it.
-fn at_height(height_px: f32) -> View<'static> {
+pub(super) fn at_height(height_px: f32) -> View<'static> {
     let mut view = look(Vec3::new(0.0, 0.25, 0.6), Vec3::new(0.0, 0.25, 0.0));
     let focal = view.clip_from_view.y_axis.y * SIZE[1] as f32 / 2.0;
     view.detail = height_px / (0.5 * focal / 0.6);
@@ -123,7 +123,7 @@ fn vertices_are_those_of_the_levels() {
 
 /// Mean difference of two pictures over what either covers, 0 to 1, and how many pixels only one
 /// of them covers.
-fn difference(a: &Picture, b: &Picture) -> (f32, usize) {
+pub(super) fn difference(a: &Picture, b: &Picture) -> (f32, usize) {
     let either = a.iter().zip(b).filter(|(a, b)| a[3] > 0 || b[3] > 0);
     let (mut sum, mut count, mut edge) = (0.0, 0, 0);
     for (a, b) in either {

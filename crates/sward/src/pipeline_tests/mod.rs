@@ -20,6 +20,8 @@ mod rig;
 mod saved;
 mod scenes;
 mod solids;
+mod strip_drawing;
+mod strips;
 mod sweep;
 mod tints;
 mod views;

@@ -13,7 +13,8 @@ const VEINS: f32 = 5.0;
 /// Half of the width at a share of the length, of half the picture: a long, rounded tip.
 fn half_width(v: f32) -> f32 {
     let t = ((v - SHOULDER) / (1.0 - SHOULDER)).clamp(0.0, 1.0);
-    let root = 0.72 + 0.26 * (v / 0.25).min(1.0);
+    let rise = (v / 0.35).min(1.0);
+    let root = 0.7 + 0.28 * rise * rise * (3.0 - 2.0 * rise);
     root * (1.0 - t.powf(2.6)).max(0.0).sqrt()
 }
 

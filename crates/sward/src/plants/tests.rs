@@ -201,6 +201,13 @@ fn layers_are_in_order() {
         .zip(sent)
         .filter(|(texel, sent)| (texel.alpha * 255.0 - f32::from(sent[3])).abs() > 1.0);
     assert_eq!(differ.count(), 0);
+    assert!(layers.check(&wgpu::Limits::default()).is_ok());
+    let few = wgpu::Limits { max_texture_array_layers: 10, ..Default::default() };
+    let error = layers.check(&few).expect_err("26 layers").to_string();
+    assert!(
+        error.contains("26 pictures of plants needs max_texture_array_layers of 26"),
+        "{error}"
+    );
 }
 
 /// A picture that the library painted comes back as it was, and at another size keeps its colour

@@ -6,7 +6,8 @@ use crate::frame::collide::expand::{Expanded, expand};
 use crate::frame::collide::upload::{self, ChunkBuffer, ChunkCounts};
 use crate::frame::wind::GpuWindSource;
 use crate::frame::wind::atlas::{self, WindAtlas};
-use crate::gpu::layout::{GpuFrame, MAX_WIND_SOURCES};
+use crate::frame::wind::sway::sway;
+use crate::gpu::layout::{GpuFrame, MAX_WIND_SOURCES, TICKS_PER_SECOND};
 use crate::gpu::{bindings, buffers};
 use crate::{Error, Frame, Gravity, Light, PhysicsModel};
 use glam::Vec3;
@@ -113,7 +114,7 @@ impl Inputs {
             let (primitives, maps) = (self.chunks.buffer(), self.wind_atlas.view());
             self.group = compute_group(device, layouts, &self.frame, &self.wind, primitives, maps);
         }
-        let uniform = gpu_frame(frame, clock, wind.len(), counts);
+        let uniform = gpu_frame(frame, clock, wind, counts);
         buffers::write(device, encoder, &self.frame, bytemuck::bytes_of(&uniform));
         buffers::write(device, encoder, &self.wind, bytemuck::cast_slice(wind));
         counts
@@ -151,7 +152,12 @@ fn at_most(what: &str, limit: &'static str, asked: usize, available: usize) -> R
     })
 }
 
-fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, chunks: ChunkCounts) -> GpuFrame {
+fn gpu_frame(
+    frame: &Frame,
+    clock: &Clock,
+    wind: &[GpuWindSource],
+    chunks: ChunkCounts,
+) -> GpuFrame {
     let with = |v: Vec3, w: f32| v.extend(w).to_array();
     let (gravity, light) = (&frame.gravity, &frame.light);
     let (shade, [shade_x, shade_y]) = light.shade.pattern();
@@ -163,6 +169,7 @@ fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, chunks: ChunkCounts) -> 
         sky: with(light.sky, 0.0),
         ground: with(light.ground, 0.0),
         haze: with(light.haze, light.haze_per_m),
+        sway: sway(wind, f64::from(clock.ticks()) / TICKS_PER_SECOND),
         shade,
         dt_s: clock.dt_s(),
         gravity_blend: gravity.blend,
@@ -171,7 +178,7 @@ fn gpu_frame(frame: &Frame, clock: &Clock, wind: usize, chunks: ChunkCounts) -> 
             PhysicsModel::Sward => 0,
             PhysicsModel::Paper => 1,
         },
-        wind_count: wind as u32,
+        wind_count: wind.len() as u32,
         chunk_count: chunks.all,
         step: clock.step(),
         ticks: clock.ticks(),

@@ -17,7 +17,8 @@ struct GpuPatch {
     edge: f32,
     // Box of every pose
     reach_min: vec3<f32>,
-    reserved: f32,
+    // Column times 65536 plus row of its cell, in pages that lie about level
+    cell: u32,
     reach_max: vec3<f32>,
     max_width: f32,
 }

@@ -13,6 +13,8 @@ struct GpuFrame {
     ground: vec4<f32>,
     // rgb colour that distance fades to, w share lost a metre
     haze: vec4<f32>,
+    // Sinusoid that strips sway on: xy wind in the xz plane at its crest, z phase now in radians
+    sway: vec4<f32>,
     // Moving shade: how much of the sun at its darkest, cells of noise a metre, height in metres
     shade: vec4<f32>,
     // Seconds of this step

@@ -18,7 +18,8 @@ struct GpuView {
     // Blades thinner than this many pixels are thinned out and widened to it
     least_width: f32,
     max_distance: f32,
-    // Bits: 0 frustum, 1 distance, 2 orientation, 3 occlusion, 4 paper, 5 width correction, 6 depth
+    // Bits: 0 frustum, 1 distance, 2 orientation, 3 occlusion, 4 paper, 5 width correction, 6 depth,
+    // 7 swept
     flags: u32,
     // Most entries of the draw list
     capacity: u32,
@@ -56,6 +57,8 @@ const CULL_OCCLUSION: u32 = 8u;
 const CULL_PAPER: u32 = 16u;
 const WIDTH_CORRECTION: u32 = 32u;
 const HAS_DEPTH: u32 = 64u;
+// A sweep has found the cells that the view may see
+const GROUND_SWEPT: u32 = 128u;
 
 fn has(flag: u32) -> bool {
     return (view.flags & flag) != 0u;

@@ -1,6 +1,6 @@
 //! Fields and species.
 
-use super::{Context, plants};
+use super::{Context, forms, plants};
 use crate::assets;
 use crate::check::{Key, MAX_M, Problem};
 use crate::error::SceneError;
@@ -11,15 +11,21 @@ use sward::{BladeOrder, ColorRange, DensityMap, FieldDesc, Metric, Shape, Specie
 
 /// A description for each field, in order.
 pub(super) fn descriptions(
-    context: &Context,
+    context: &mut Context,
     file: &SceneFile,
 ) -> Result<Vec<FieldDesc>, SceneError> {
     let fields = file.fields.iter().enumerate();
     fields.map(|(index, field)| description(context, field, &Key::list("fields", index))).collect()
 }
 
-fn description(context: &Context, field: &FieldFile, key: &Key) -> Result<FieldDesc, SceneError> {
+fn description(
+    context: &mut Context,
+    field: &FieldFile,
+    key: &Key,
+) -> Result<FieldDesc, SceneError> {
     let mut desc = checked(field, key).map_err(|problem| context.error(problem))?;
+    let files = field.species.as_deref().unwrap_or_default();
+    forms::read_textures(context, files, &mut desc.species)?;
     desc.density_map = match &field.density_map {
         None => None,
         Some(DensityMapFile::VertexColor) => Some(DensityMap::VertexColor),
@@ -120,7 +126,7 @@ fn species(kind: &SpeciesFile, key: &Key) -> Result<Species, Problem> {
                 return Err(key.at("shape").problem(cause));
             }
         },
-        form: sward::Form::default(),
+        form: forms::form(&kind.form, &key.at("form"))?,
         height_m: key.at("height_m").span(kind.height_m, length)?,
         width_m: key.at("width_m").span(kind.width_m, length)?,
         response: key.at("response").span(kind.response, length)?,

@@ -103,7 +103,7 @@ fn kind(file: &PlantFile, key: &Key) -> Result<Kind, Problem> {
         sizes: sizes(file.sizes, &key.at("sizes"))?,
         wind_turn: key.at("wind_turn").within(file.wind_turn, 0.0, 4.0)?,
         wind_tint: key.at("wind_tint").within(file.wind_tint, 0.0, 1.0)?,
-        absorption: key.at("absorption").within(file.absorption, 0.0, 4.0)?,
+        absorption: key.at("absorption").within(file.absorption, 0.0, 2.0)?,
         ..Billboard::new(plant.unwrap_or(Plant::Daisy))
     });
     let flower = file.flower.unwrap_or(!plant.is_some_and(Plant::is_grass));

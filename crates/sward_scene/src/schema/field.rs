@@ -1,6 +1,6 @@
 //! Keys for fields and species.
 
-use super::{Color, PlantFile, Source, Span};
+use super::{Color, FormFile, PlantFile, Source, Span};
 use serde::Deserialize;
 
 /// What grows, and on what.
@@ -187,6 +187,8 @@ pub struct SpeciesFile {
     pub share: f32,
     /// Outline; default `TriangleTip(0.5)`.
     pub shape: ShapeFile,
+    /// What it is drawn as near the camera; default `Blade`.
+    pub form: FormFile,
     /// Length of a blade, above 0; default `(0.25, 0.5)`.
     pub height_m: Span,
     /// Full width at the root, above 0; default `(0.008, 0.014)`.
@@ -217,6 +219,7 @@ impl Default for SpeciesFile {
             name: grass.name,
             share: grass.share,
             shape: ShapeFile::TriangleTip(0.5),
+            form: FormFile::default(),
             height_m: span(grass.height_m),
             width_m: span(grass.width_m),
             response: span(grass.response),

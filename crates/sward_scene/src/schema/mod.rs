@@ -7,6 +7,7 @@ mod bodies;
 mod collide;
 mod effects;
 mod field;
+mod form;
 mod light;
 mod motion;
 mod object;
@@ -23,6 +24,7 @@ pub use field::{
     ColorFile, DensityMapFile, FieldFile, InsideFile, MetricFile, OrderFile, ShapeFile,
     SpeciesFile, TuftsFile,
 };
+pub use form::{FormFile, StripFile};
 pub use light::{
     CullingFile, DaylightFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile,
     TechniqueFile,

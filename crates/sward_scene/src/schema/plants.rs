@@ -49,7 +49,7 @@ pub struct PlantFile {
     /// How much lighter it gets as wind bends it, 0..=1; default 0.3.
     #[serde(default = "tint")]
     pub wind_tint: f32,
-    /// How much light it keeps from what is behind it, 0..=4; default 0.7.
+    /// How much light it keeps from what is behind it, 0..=2; default 0.4.
     #[serde(default = "absorption")]
     pub absorption: f32,
 }
@@ -71,7 +71,7 @@ fn tint() -> f32 {
     0.3
 }
 fn absorption() -> f32 {
-    0.7
+    0.4
 }
 
 /// Where plants change from models to quads to coarser quads. Its defaults are those of

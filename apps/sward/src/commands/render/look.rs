@@ -28,6 +28,8 @@ pub enum DebugChoice {
     Wireframe,
     /// The same, on the right half only
     HalfWireframe,
+    /// The ground from above: what the camera sees of it, and the cells that a sweep finds
+    Frustum,
     /// The target of world positions, by which fog and depth of field are laid
     Position,
     /// Distance from the eye, by the same target
@@ -44,7 +46,7 @@ impl DebugChoice {
             Self::Awake => DebugView::Awake,
             Self::Crush => DebugView::Crush,
             Self::Wireframe | Self::HalfWireframe => DebugView::Wireframe,
-            Self::Position | Self::Distance => return None,
+            Self::Position | Self::Distance | Self::Frustum => return None,
         })
     }
 }

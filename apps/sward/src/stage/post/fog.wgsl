@@ -9,6 +9,9 @@ fn fog_clear(world: vec3<f32>) -> f32 {
     if inside <= 0.0 || frame.fog.w == 0.0 {
         return 1.0;
     }
+    if frame.fog_shape.z == 0.0 {
+        return exp(-frame.fog.w * inside);
+    }
     // Heights of the two ends of the way through fog, in units of the falloff
     let climb = abs(way.y) * (inside / distance) * frame.fog_shape.z;
     let eye_end = world.y - way.y * (inside / distance);

@@ -4,6 +4,15 @@
 @group(2) @binding(2) var<storage, read_write> work: array<vec2<u32>>;
 @group(2) @binding(3) var<storage, read_write> work_size: array<atomic<u32>, 8>;
 
+// First row and rows of each column of cells, where the view sweeps
+@group(2) @binding(4) var<storage, read> columns: array<vec2<u32>>;
+
+// The sweep answers in place of the patch's own test; it does not know what is wholly inside.
+fn see_swept(home: GpuPatch) -> Seen {
+    let rows = columns[home.cell >> 16u];
+    return Seen((home.cell & 0xffffu) - rows.x < rows.y, false);
+}
+
 @compute @workgroup_size(64)
 fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
     let index = thread.x;
@@ -12,7 +21,12 @@ fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
     }
     let home = patches[index];
     let count = patch_blades(index);
-    var seen = see_patch(home);
+    var seen: Seen;
+    if has(GROUND_SWEPT) {
+        seen = see_swept(home);
+    } else {
+        seen = see_patch(home);
+    }
     let nearest = nearest_of(home);
     if is_too_far(nearest) {
         seen.visible = false;

@@ -79,8 +79,11 @@ fn fs_quad(in: QuadVertex, @builtin(front_facing) front: bool) -> @location(0) v
     let to_eye = -view_ray(in.position);
     let face = unit_or(cross(in.side, in.along), in.up);
     let facing_eye = dot(face, to_eye);
-    // A quad seen edge-on is a line that no plant has: it goes before
-    let shown = smoothstep(0.1, 0.3, abs(facing_eye));
+    // A quad seen edge-on is a line that no plant has: it goes before. Not from above, where all are
+    let level = to_eye - in.up * dot(to_eye, in.up);
+    let low = length(level);
+    let turned = smoothstep(0.1, 0.3, abs(dot(face, level)) / max(low, 1e-4));
+    let shown = mix(1.0, turned, smoothstep(0.25, 0.6, low));
     let sharp = max(fwidth(color.a), 1e-3);
     let alpha = clamp((color.a * shown - 0.5) / sharp + 0.5, 0.0, 1.0);
     if alpha < select(0.5, 0.03, SAMPLES > 1u) {

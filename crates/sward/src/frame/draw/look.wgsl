@@ -44,9 +44,13 @@ fn plant_tone(id: u32, lean: f32, wind_tint: f32) -> f32 {
     return (0.85 + 0.3 * hash01(id, 22u)) * (1.0 + wind_tint * (lean - 0.1));
 }
 
-// Share of the light that the plant keeps away on its way from the sun to a point in it: Beer and
-// Lambert's law over the way through a cylinder about it. `offset` is from its middle line, `size` its
-// width and height, `share` the point's share of the height.
+// Radii of the plant that light from the sun passes in the mean.
+const MEAN_WAY: f32 = 0.85;
+
+// Share of the sun's light that the plant keeps away on its way to a point in it, beyond what it does in
+// the mean, which is canopy_open's: Beer and Lambert's law over the way through a cylinder about it. Below
+// 0 where it keeps away less, so that a plant is as bright in all as single blades in its place. `offset`
+// is from its middle line, `size` its width and height, `share` the point's share of the height.
 fn absorbed_within(
     offset: vec3<f32>,
     up: vec3<f32>,
@@ -63,5 +67,5 @@ fn absorbed_within(
     let room = max(radius * radius - dot(flat_offset, flat_offset), 0.0);
     let to_side = (sqrt(ahead * ahead + speed2 * room) - ahead) / speed2;
     let to_top = size.y * (1.0 - share) / max(rise, 0.05);
-    return 1.0 - exp(-absorption * min(to_side, to_top) / max(radius, 1e-4));
+    return 1.0 - exp(-absorption * (min(to_side, to_top) / max(radius, 1e-4) - MEAN_WAY));
 }

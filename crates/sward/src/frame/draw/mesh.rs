@@ -2,9 +2,12 @@
 
 use super::topology::{BLADES_PER_INSTANCE, Topology};
 use crate::billboard::MAX_QUADS;
-use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET};
+use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, MODEL_BUCKET, STRIP_BUCKETS};
 use crate::plants::mesh::PIECES;
 use crate::plants::model::MAX_RIBBONS;
+
+/// Segments of a strip with many rings, and with few, which divide it.
+pub(crate) const STRIP_SEGMENTS: [u32; 2] = [12, 3];
 
 /// What a plant of a bucket is made of.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,12 +27,21 @@ impl Mesh {
         }
         let [middle, far] = BILLBOARD_BUCKETS;
         match bucket {
+            _ if bucket == STRIP_BUCKETS[0] => Self::strips(STRIP_SEGMENTS[0]),
+            _ if bucket == STRIP_BUCKETS[1] => Self::strips(STRIP_SEGMENTS[1]),
             _ if bucket == middle => Self::quads(MAX_QUADS, 2),
             _ if bucket == far => Self::quads(MAX_QUADS.div_ceil(2), 1),
             // Ribbons are cards of several pieces, too
             MODEL_BUCKET => Self::quads(MAX_RIBBONS as u32, PIECES),
             _ => Self::card(),
         }
+    }
+
+    /// Two strips along a shared middle line: rings of left, middle, right.
+    fn strips(segments: u32) -> Self {
+        let quads = (0..segments as u16).flat_map(|s| [3 * s, 3 * s + 1]);
+        let indices = quads.flat_map(|i| [i, i + 1, i + 3, i + 1, i + 4, i + 3]);
+        Self { vertices: 3 * (segments + 1), indices: indices.collect() }
     }
 
     /// Cards, each of so many pieces from bottom to top.

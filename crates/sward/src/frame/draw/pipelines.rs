@@ -1,9 +1,11 @@
 //! The pipelines of drawing: one a bucket, in the variants that fields need.
 
-use super::mesh::Mesh;
+use super::mesh::{Mesh, STRIP_SEGMENTS};
 use super::topology::Topology;
 use crate::Targets;
-use crate::gpu::layout::{BILLBOARD_BUCKETS, BLADE_BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET};
+use crate::gpu::layout::{
+    BILLBOARD_BUCKETS, BLADE_BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET, STRIP_BUCKETS,
+};
 use crate::gpu::shaders::Shader;
 
 /// What a field needs beyond the plain pipelines. Others do not pay for it: variants are made when
@@ -119,6 +121,9 @@ pub(super) fn bucket_pipeline(
         _ if BILLBOARD_BUCKETS.contains(&bucket) => {
             Some(billboard_pipeline(device, modules, (layout, targets), bucket))
         }
+        _ if STRIP_BUCKETS.contains(&bucket) => {
+            Some(strip_pipeline(device, modules, (layout, targets), variant, bucket))
+        }
         MODEL_BUCKET => Some(model_pipeline(device, modules, (layout, targets))),
         _ => None,
     }
@@ -194,5 +199,27 @@ fn billboard_pipeline(
     ];
     let module = &modules.get(device, Shader::DrawBillboard);
     let program = Program { module, vertex: "vs_quad", fragment: "fs_quad", masked: true };
+    pipeline(device, layout, targets, program, &constants)
+}
+
+/// Strips: cut by alpha as plants of quads are.
+fn strip_pipeline(
+    device: &wgpu::Device,
+    modules: &mut Modules,
+    (layout, targets): (&wgpu::PipelineLayout, Targets),
+    variant: Variant,
+    bucket: usize,
+) -> wgpu::RenderPipeline {
+    let level = bucket - STRIP_BUCKETS[0];
+    let constants = [
+        ("BUCKET", bucket as f64),
+        ("VERTICES", f64::from(Mesh::of(bucket).vertices)),
+        ("TINTED", f64::from(u8::from(variant.tinted))),
+        ("SEGMENTS", f64::from(STRIP_SEGMENTS[level])),
+        ("COARSE", f64::from(STRIP_SEGMENTS[1])),
+        ("SAMPLES", f64::from(targets.samples)),
+    ];
+    let module = &modules.get(device, Shader::DrawStrip);
+    let program = Program { module, vertex: "vs_strip", fragment: "fs_strip", masked: true };
     pipeline(device, layout, targets, program, &constants)
 }

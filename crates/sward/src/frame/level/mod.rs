@@ -6,6 +6,8 @@ pub(crate) mod bands_twin;
 #[cfg(test)]
 pub(crate) mod continuum_twin;
 #[cfg(test)]
+pub(crate) mod strips_twin;
+#[cfg(test)]
 pub(crate) mod twin;
 
 /// A quarter of this projected height, pixels, ends the first level; a quarter of that the next.

@@ -14,7 +14,8 @@ struct BladeSurface {
     lean: f32,
     // Share of the sun that what is between, such as a cloud, keeps away
     shaded: f32,
-    // Share of the light that the plant itself keeps away, and scatters
+    // Share of the light that the plant itself keeps away, and scatters; below 0 it keeps away less than
+    // the canopy does in the mean
     absorbed: f32,
     // How much less light passes than through a blade of grass: 1 none, below 0 more
     blocked: f32,
@@ -37,7 +38,7 @@ fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
     // mirrors the sky: so a gust shows as it passes
     let over = smoothstep(0.15, 0.75, surface.lean);
     let share = mix(surface.height_share, 1.0, 0.7 * over);
-    let open = canopy_open(share, surface.root_open) * (1.0 - 0.4 * surface.absorbed);
+    let open = canopy_open(share, surface.root_open) * (1.0 - 0.4 * max(surface.absorbed, 0.0));
     let facing_sun = dot(surface.normal, to_sun);
     let reflected = max(facing_sun, 0.0);
     // Light through the leaf is yellower than light off it, and strongest against the sun
@@ -50,7 +51,7 @@ fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
     var color = surface.albedo * sun_light * reflected * 0.32;
     color += leaf * sun_light * through * (0.30 + 0.35 * against);
     // What is kept away on the way through the plant comes out of it on all sides, greener
-    color += leaf * surface.albedo * arriving * (surface.absorbed * SCATTERED * (0.5 + against));
+    color += leaf * surface.albedo * arriving * (max(surface.absorbed, 0.0) * SCATTERED * (0.5 + against));
     let half_vector = to_sun + to_eye;
     let h = half_vector * inverseSqrt(max(dot(half_vector, half_vector), 1e-6));
     let shine = max(dot(surface.normal, h), 0.0);

@@ -9,6 +9,7 @@ mod check;
 mod map;
 mod source;
 mod state;
+pub(crate) mod sway;
 mod twin;
 
 pub use map::WindMap;

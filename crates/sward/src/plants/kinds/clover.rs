@@ -47,17 +47,17 @@ fn leaf_of_three(build: &mut Builder, at: Vec3, angle: f32) {
 /// Florets all over a ball, the lower ones hanging out, the upper ones standing.
 fn head(build: &mut Builder, at: Vec3) {
     let core = Skin::new(Outline::Disc, 0.9, [FLORET[2], FLORET[2], FLORET[1]]);
-    let (low, high) = (at - Vec3::Y * 0.075, at + Vec3::Y * 0.075);
-    build.rounded([low, at, high], 0.14, core);
+    let (low, high) = (at - Vec3::Y * 0.08, at + Vec3::Y * 0.085);
+    build.rounded([low, at, high], 0.16, core);
     let count = 15;
     let turned = build.between(0.0, TAU);
     for index in 0..count {
         let head = Head::new(at, over_a_ball(index, count, turned));
         let from = at + head.axis * 0.04;
-        let tip = at + head.axis * build.between(0.095, 0.115) + Vec3::Y * 0.025;
+        let tip = at + head.axis * build.between(0.085, 0.1) + Vec3::Y * 0.02;
         let tone = build.between(0.8, 1.2);
         let skin = Skin::new(Outline::Petal, 0.3, FLORET).toned(tone);
         let roll = build.between(0.0, TAU);
-        build.flat([from, from.lerp(tip, 0.5), tip], head.direction(roll, 0.0), 0.052, skin);
+        build.flat([from, from.lerp(tip, 0.5), tip], head.direction(roll, 0.0), 0.062, skin);
     }
 }

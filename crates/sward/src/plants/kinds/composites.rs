@@ -133,9 +133,9 @@ fn ball(build: &mut Builder, at: Vec3) {
         let roll = build.between(0.0, TAU);
         let (stalk, hairs) = (Skin::new(Outline::Umbrella, 0.3, STALK), seed.direction(roll, 0.0));
         let end = seed.at + out * 0.032;
-        build.flat([at + out * 0.02, at + out * 0.08, end], hairs, 0.085, stalk);
+        build.flat([at + out * 0.02, at + out * 0.08, end], hairs, 0.07, stalk);
         let hair = seed.tangent(roll) * 0.05;
         let curve = [end - hair, seed.at - out * 0.02, end + hair];
-        build.flat(curve, hairs, 0.045, Skin::new(Outline::Brushes, 0.1, DOWN));
+        build.flat(curve, hairs, 0.036, Skin::new(Outline::Brushes, 0.1, DOWN));
     }
 }
