@@ -4,7 +4,7 @@
 use super::Triangle;
 use super::cover::axes;
 use super::layers::{Layers, color_of, shape_of};
-use super::mips::{Chain, chain};
+use super::mips::{Chain, plain};
 use super::raster::Window;
 use super::stand::Stands;
 use super::surfels::depth_shade;
@@ -57,9 +57,7 @@ fn picture(
         size: [TEXELS; 2],
         samples: SAMPLES,
     };
-    let tile = window.see(triangles).tile();
-    let coverage = tile.coverage();
-    (window, chain(tile, coverage))
+    (window, plain(window.see(triangles).tile()))
 }
 
 /// Bakes all layers; the same for any number of threads.

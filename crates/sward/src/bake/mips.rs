@@ -21,15 +21,24 @@ pub(crate) type Chain = Vec<Tile>;
 /// narrower than its texels, or the share of the first level itself ([`passing`]), which then
 /// stays as it is.
 pub(crate) fn chain(base: Tile, target: f32) -> Chain {
+    let mut levels = plain(base);
+    for level in &mut levels {
+        keep_share(level, target);
+        level.dilate();
+    }
+    levels
+}
+
+/// A tile with its mips as they are: their alphas are coverages, for what is not tested against one
+/// threshold but covers as many pixels in the mean.
+pub(crate) fn plain(base: Tile) -> Chain {
     let mut levels = vec![base];
     while let Some(last) = levels.last()
         && last.size.iter().all(|n| *n >= 2 * LEAST)
     {
-        levels.push(last.halved());
-    }
-    for level in &mut levels {
-        keep_share(level, target);
-        level.dilate();
+        let mut next = last.halved();
+        next.dilate();
+        levels.push(next);
     }
     levels
 }

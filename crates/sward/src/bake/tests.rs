@@ -117,7 +117,7 @@ fn clusters_cover_what_their_blades_do() {
         let mean = |elevation: u32| {
             let layers = (0..baked.color.count).filter(|l| l / 4 % 4 == elevation);
             let texels: Vec<_> = layers.flat_map(|l| baked.color.layer(level, l)).collect();
-            texels.iter().filter(|t| t[3] >= 128).count() as f32 / texels.len() as f32
+            texels.iter().map(|t| f32::from(t[3])).sum::<f32>() / (255 * texels.len()) as f32
         };
         let (side, top) = (mean(0), mean(3));
         let window = 2.0 * baked.radius_m * baked.height_m;

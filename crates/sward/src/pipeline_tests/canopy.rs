@@ -237,9 +237,11 @@ fn colors_agree(
     table[0].tint = 0.6;
     let packed = crate::gpu::quantize::pack_color([0.3, 0.2, 0.7]);
     let surface = Vec3::from(crate::gpu::quantize::unpack_color(packed));
-    let counts = [1_u32, 1, 64, 0];
+    // Its first blade's id is 0
+    let counts = bytemuck::Zeroable::zeroed();
+    let counts: crate::gpu::layout::GpuField = counts;
     let buffers = [
-        (0, buffer(bytemuck::cast_slice(&counts), U::UNIFORM)),
+        (0, buffer(bytemuck::bytes_of(&counts), U::UNIFORM)),
         (1, buffer(bytemuck::cast_slice(&table), U::UNIFORM)),
         (5, buffer(bytemuck::cast_slice(&vec![packed; 123_457]), U::STORAGE)),
     ];

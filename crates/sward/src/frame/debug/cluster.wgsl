@@ -30,7 +30,7 @@ fn on_rim(uv: vec2<f32>) -> bool {
 fn fs_debug_cluster(in: DebugClusterVertex) -> ClusterPixel {
     let texel = textureSample(cluster_color, picture_sampler, in.uv, in.layer);
     let rim = on_rim(in.uv);
-    let inside = samples_covered(texel.a, in.seed);
+    let inside = samples_covered(texel.a, grain(in.uv, in.seed), in.seed);
     let samples = select(inside, select(0u, (1u << SAMPLES) - 1u, rim), debug.mode == WIREFRAME);
     if samples == 0u {
         discard;

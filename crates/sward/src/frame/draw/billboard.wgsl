@@ -17,9 +17,25 @@ struct QuadVertex {
     @location(5) @interpolate(flat) up: vec3<f32>,
     // Light at the roots, lean, tone, absorption
     @location(6) @interpolate(flat) looks: vec4<f32>,
-    // Width and height, metres
-    @location(7) @interpolate(flat) size: vec2<f32>,
+    // Width and height, metres; how far it may be turned from the eye, as cosines: gone, and whole
+    @location(7) @interpolate(flat) size: vec4<f32>,
     @location(8) @interpolate(flat) layer: u32,
+}
+
+// Quads turned away from the eye go: seen edge-on one is a line that no plant has, and one that is turned
+// less shows heads and leaves where those of the quad that faces the eye are not. Where quads are spread
+// evenly one always faces it, and the one that comes shows before the one that turns away is gone.
+fn facing_range(quads: u32, is_even: bool) -> vec2<f32> {
+    if quads < 2u || !is_even {
+        return vec2<f32>(0.1, 0.3);
+    }
+    let step = 3.14159265 / f32(quads);
+    return vec2<f32>(0.9 * cos(step), cos(step * 0.667));
+}
+
+fn quad_fade(quads: u32, angle: f32, morph: f32) -> vec2<f32> {
+    let is_even = abs(f32(quads) * angle - 3.14159265) < 0.1;
+    return mix(facing_range(quads, is_even), facing_range(far_quads(quads), true), morph);
 }
 
 @vertex
@@ -66,7 +82,7 @@ fn vs_quad(
     out.up = blade.up;
     let tone = plant_tone(blade.id, lean, values.z);
     out.looks = vec4<f32>(species_table[kind].form.z, lean, tone, values.w);
-    out.size = size;
+    out.size = vec4<f32>(size, quad_fade(quads, values.x, morph));
     out.layer = quad_layer(look, blade.id, quad);
     return out;
 }
@@ -79,10 +95,10 @@ fn fs_quad(in: QuadVertex, @builtin(front_facing) front: bool) -> @location(0) v
     let to_eye = -view_ray(in.position);
     let face = unit_or(cross(in.side, in.along), in.up);
     let facing_eye = dot(face, to_eye);
-    // A quad seen edge-on is a line that no plant has: it goes before. Not from above, where all are
+    // Seen from above all quads are turned away, and none goes
     let level = to_eye - in.up * dot(to_eye, in.up);
     let low = length(level);
-    let turned = smoothstep(0.1, 0.3, abs(dot(face, level)) / max(low, 1e-4));
+    let turned = smoothstep(in.size.z, in.size.w, abs(dot(face, level)) / max(low, 1e-4));
     let shown = mix(1.0, turned, smoothstep(0.25, 0.6, low));
     let sharp = max(fwidth(color.a), 1e-3);
     let alpha = clamp((color.a * shown - 0.5) / sharp + 0.5, 0.0, 1.0);
@@ -100,7 +116,7 @@ fn fs_quad(in: QuadVertex, @builtin(front_facing) front: bool) -> @location(0) v
     surface.lean = in.looks.y;
     surface.shaded = sun_shade(in.position);
     surface.absorbed =
-        absorbed_within(in.offset, in.up, in.size, in.place.y, in.looks.w);
+        absorbed_within(in.offset, in.up, in.size.xy, in.place.y, in.looks.w);
     surface.blocked = 1.0 - 2.0 * shape.a;
     let lit = with_haze(shade_blade(surface, to_eye), distance_to(in.position));
     return vec4<f32>(max(lit, vec3<f32>(0.0)), alpha);

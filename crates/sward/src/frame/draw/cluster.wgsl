@@ -6,24 +6,13 @@ override SAMPLES: u32 = 1u;
 
 @group(1) @binding(12) var<uniform> canopy: GpuCanopy;
 
-// Alpha that a texel shows from, with one sample a pixel
-const ALPHA_TEST: f32 = 0.5;
-
-// How far a texel's own normal makes it brighter or darker than the mean: a card of one sample a pixel
-// shows each as sharply as no eye would
-const RELIEF: f32 = 0.5;
-
 struct ClusterVertex {
     @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
-    // Light, and the brightness that a grey surface has in the mean
-    @location(1) @interpolate(perspective, centroid) light: vec4<f32>,
+    @location(1) @interpolate(perspective, centroid) light: vec3<f32>,
     @location(2) @interpolate(flat) haze: f32,
     @location(3) @interpolate(flat) layer: u32,
     @location(4) @interpolate(flat) seed: u32,
-    @location(5) @interpolate(flat) right: vec3<f32>,
-    @location(6) @interpolate(flat) up: vec3<f32>,
-    @location(7) @interpolate(flat) to_eye: vec3<f32>,
 }
 
 // The frame of a card: level towards the eye and to the right of it.
@@ -73,32 +62,6 @@ fn sway_of(index: u32, up: vec3<f32>) -> vec3<f32> {
     return tip - up * (high - min(high / rest - 1.0, 0.0));
 }
 
-// Brightness of a grey surface, by its normal alone: what makes one blade stand out from the next.
-fn brightness(normal: vec3<f32>, up: vec3<f32>, to_eye: vec3<f32>) -> f32 {
-    var surface: BladeSurface;
-    surface.albedo = vec3<f32>(0.2);
-    surface.normal = normal;
-    surface.up = up;
-    surface.height_share = 1.0;
-    surface.root_open = 1.0;
-    surface.lean = 0.0;
-    surface.shaded = 0.0;
-    return dot(shade_blade(surface, to_eye), vec3<f32>(0.2126, 0.7152, 0.0722));
-}
-
-// Its mean over what shows of the grass from that elevation, by a quarter of the representatives.
-fn mean_brightness(facing: Facing, up: vec3<f32>, to_eye: vec3<f32>, corner: u32) -> f32 {
-    let row = u32(canopy_row(facing.sine) + 0.5);
-    var sum = 0.0;
-    for (var i = corner; i < CANOPY_SURFELS; i += 4u) {
-        let surfel = canopy.surfels[row * CANOPY_SURFELS + i];
-        let n = surfel.normal;
-        let normal = facing.right * n.x + up * n.y + facing.toward * n.z;
-        sum += 4.0 * surfel.weight * brightness(normal, up, to_eye);
-    }
-    return sum;
-}
-
 // Which picture: one of four places, elevations and sides, the next to the view's or the one after.
 fn picture_of(id: u32, facing: Facing) -> u32 {
     let elevation = asin(clamp(facing.sine, 0.0, 1.0)) * (3.0 / 1.5707963);
@@ -133,13 +96,10 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
     if TINTED {
         light *= canopy_tint(unpack_color(tints[listed.index]));
     }
-    out.light = vec4<f32>(light, mean_brightness(facing, blade.up, to_eye, corner));
+    out.light = light;
     out.haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
     out.layer = picture_of(blade.id, facing);
     out.seed = hash_u32(blade.id);
-    out.right = facing.right;
-    out.up = blade.up;
-    out.to_eye = to_eye;
     return out;
 }
 
@@ -151,15 +111,23 @@ fn vs_cluster(
     return cluster_vertex(vertex, instance);
 }
 
-// The samples of a pixel that so much alpha covers. Each cluster begins at another one, so that those
-// that lie over each other do not all cover the same.
-fn samples_covered(alpha: f32, seed: u32) -> u32 {
-    if SAMPLES == 1u {
-        return select(0u, 1u, alpha >= ALPHA_TEST);
-    }
+// A random number a cell of the picture, 0 to 1: cells are about a pixel wide and four high, as the
+// blades are that are narrower than that. They belong to the cluster, so they move with it.
+fn grain(uv: vec2<f32>, seed: u32) -> f32 {
+    let step = max(abs(dpdx(uv)) + abs(dpdy(uv)), vec2<f32>(1e-4));
+    let cells = exp2(floor(log2(1.0 / step)));
+    let cell = vec2<u32>(max(uv, vec2<f32>(0.0)) * cells * vec2<f32>(1.0, 0.25));
+    return hash01(cell.x + (cell.y << 16u), seed);
+}
+
+// The samples of a pixel that so much alpha covers: as many in the mean, one more or fewer by the
+// grain. Each cell begins at another one, so that clusters that lie over each other do not all cover
+// the same.
+fn samples_covered(alpha: f32, grain: f32, seed: u32) -> u32 {
+    let count = u32(clamp(alpha * f32(SAMPLES) + grain, 0.0, f32(SAMPLES)));
     let whole = (1u << SAMPLES) - 1u;
-    let mask = (1u << u32(round(clamp(alpha, 0.0, 1.0) * f32(SAMPLES)))) - 1u;
-    let turn = seed % SAMPLES;
+    let mask = (1u << count) - 1u;
+    let turn = (seed + u32(grain * 64.0)) % SAMPLES;
     return ((mask << turn) | (mask >> (SAMPLES - turn))) & whole;
 }
 
@@ -171,14 +139,10 @@ struct ClusterPixel {
 @fragment
 fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
     let texel = textureSample(cluster_color, picture_sampler, in.uv, in.layer);
-    let samples = samples_covered(texel.a, in.seed);
+    let samples = samples_covered(texel.a, grain(in.uv, in.seed), in.seed);
     if samples == 0u {
         discard;
     }
-    let n = textureSample(cluster_shape, picture_sampler, in.uv, in.layer).xyz * 2.0 - 1.0;
-    let normal = in.right * n.x + in.up * n.y + cross(in.right, in.up) * n.z;
-    let own = brightness(unit_or(normal, in.up), in.up, in.to_eye);
-    let relief = mix(1.0, own / max(in.light.w, 1e-4), RELIEF);
-    let color = texel.rgb * texel.rgb * in.light.rgb * relief;
+    let color = texel.rgb * texel.rgb * in.light;
     return ClusterPixel(vec4<f32>(mix(color, frame.haze.rgb, in.haze), 1.0), samples);
 }
