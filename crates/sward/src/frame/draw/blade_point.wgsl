@@ -62,7 +62,11 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     let a = knee * corner.v;
     let b = mix(knee, state.tip, corner.v);
     let bend = state.tip - 2.0 * knee;
-    let center = blade.root + (mix(a, b, corner.v) + bend * (ring.bend - ring.outward)) * blade.height;
+    // Across the blade only: along it, every mark on it has its place
+    let along = unit_or(b - a, blade.up);
+    let aside = bend - along * dot(bend, along);
+    let curve = mix(a, b, corner.v) + bend * ring.bend - aside * ring.outward;
+    let center = blade.root + curve * blade.height;
 
     let distance = distance_to(blade.root + blade.up * (0.5 * blade.height));
     let width_px = blade.width * pixels_per_metre(distance);
