@@ -23,20 +23,32 @@ pub struct Flip {
 /// # Errors
 /// Where their sizes differ.
 pub fn flip(reference: &RgbImage, test: &RgbImage) -> Result<Flip> {
+    Ok(summary(flip_map(reference, test)?))
+}
+
+/// The error of each pixel, row by row.
+///
+/// # Errors
+/// Where the sizes differ.
+pub fn flip_map(reference: &RgbImage, test: &RgbImage) -> Result<Vec<f32>> {
     if reference.dimensions() != test.dimensions() {
         let ((w0, h0), (w1, h1)) = (reference.dimensions(), test.dimensions());
         bail!("the pictures differ in size: {w0}x{h0} and {w1}x{h1}");
     }
     let (width, height) = reference.dimensions();
     let load = |image: &RgbImage| nv_flip::FlipImageRgb8::with_data(width, height, image.as_raw());
-    let mut errors = nv_flip::flip(load(reference), load(test), PIXELS_PER_DEGREE).to_vec();
+    Ok(nv_flip::flip(load(reference), load(test), PIXELS_PER_DEGREE).to_vec())
+}
+
+/// What the errors of some pixels come to; all 0 for none.
+pub fn summary(mut errors: Vec<f32>) -> Flip {
     errors.sort_by(f32::total_cmp);
     let mean = errors.iter().map(|&e| f64::from(e)).sum::<f64>() / errors.len().max(1) as f64;
-    Ok(Flip {
+    Flip {
         mean: mean as f32,
         p99: percentile(&errors, 0.99),
         max: errors.last().copied().unwrap_or(0.0),
-    })
+    }
 }
 
 /// The value at a share (0..=1) of an ascending list; 0 for an empty one.

@@ -5,6 +5,7 @@ pub mod compare;
 pub mod gpu;
 pub mod grow;
 pub mod picture;
+pub mod quality;
 pub mod stage;
 pub mod wind_map;
 

@@ -37,6 +37,7 @@ Examples:
   sward texture poppy -o poppy.png
   sward bench scenes/reference.ron --json bench.json
   sward paper -o paper
+  sward quality scenes/reference.ron --json quality.json
 
 WGPU_BACKEND and WGPU_ADAPTER_NAME choose the graphics adapter.";
 
@@ -53,8 +54,20 @@ fn main() -> ExitCode {
     match commands::run(cli.command, cli.quiet) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) if is_closed_pipe(&error) => ExitCode::SUCCESS,
-        Err(error) => fail(&format!("{error:#}")),
+        Err(error) => match error.downcast_ref::<commands::Exceeded>() {
+            Some(exceeded) => fail_check(exceeded),
+            None => fail(&format!("{error:#}")),
+        },
     }
+}
+
+/// A line for each limit that was exceeded, on standard error.
+fn fail_check(exceeded: &commands::Exceeded) -> ExitCode {
+    for line in &exceeded.0 {
+        // Nothing is left to do where standard error is closed.
+        let _ = writeln!(std::io::stderr(), "error: {line}");
+    }
+    ExitCode::FAILURE
 }
 
 /// One line on standard error.

@@ -22,7 +22,9 @@ fn render(folder: &Folder, extra: &[&str]) -> String {
 #[test]
 fn help_has_examples() {
     let folder = Folder::new();
-    for command in ["render", "bench", "check", "compare", "info", "paper", "texture", "wind"] {
+    let commands =
+        ["render", "bench", "check", "compare", "info", "paper", "quality", "texture", "wind"];
+    for command in commands {
         let help = succeeds(&folder, &[command, "--help"]);
         assert!(help.contains("Examples:"), "{help}");
         assert!(help.contains(&format!("sward {command}")), "{help}");

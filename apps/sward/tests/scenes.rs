@@ -40,6 +40,7 @@ scenes! {
     minimal [],
     mobius [],
     nature [],
+    plain [],
     planet [],
     reference [],
     shapes [],

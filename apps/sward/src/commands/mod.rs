@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod info;
 mod paper;
+mod quality;
 mod render;
 mod texture;
 mod wind;
@@ -19,6 +20,8 @@ use sward_app::gpu::Gpu;
 use sward_app::grow::{GrowOptions, grow};
 use sward_scene::Scene;
 
+pub use quality::Exceeded;
+
 /// What to do.
 #[derive(Debug, clap::Subcommand)]
 pub enum Command {
@@ -28,6 +31,7 @@ pub enum Command {
     Compare(compare::Args),
     Info(info::Args),
     Paper(paper::Args),
+    Quality(quality::Args),
     Texture(texture::Args),
     Wind(wind::Args),
 }
@@ -41,6 +45,7 @@ pub fn run(command: Command, quiet: bool) -> Result<()> {
         Command::Compare(args) => compare::run(args),
         Command::Info(args) => info::run(args),
         Command::Paper(args) => paper::run(args, quiet),
+        Command::Quality(args) => quality::run(args, quiet),
         Command::Texture(args) => texture::run(args, quiet),
         Command::Wind(args) => wind::run(args, quiet),
     }

@@ -29,7 +29,8 @@ pub(super) struct GpuStageFrame {
     lens: Vec4,
     exposure: f32,
     samples_a_side: f32,
-    reserved: Vec2,
+    stands_in: f32,
+    reserved: f32,
     shade: Vec4,
     shade_offset: Vec2,
     reserved_more: Vec2,
@@ -69,8 +70,12 @@ impl CameraMatrices {
 impl FrameUniform {
     /// Light is all dark until it is set.
     pub fn new(device: &wgpu::Device, options: &StageOptions) -> Self {
-        let values =
-            GpuStageFrame { exposure: 1.0, samples_a_side: 1.0, ..bytemuck::Zeroable::zeroed() };
+        let values = GpuStageFrame {
+            exposure: 1.0,
+            samples_a_side: 1.0,
+            stands_in: if options.draws_all() { 0.0 } else { 1.0 },
+            ..bytemuck::Zeroable::zeroed()
+        };
         let buffer = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
             label: Some("sward.stage.frame"),
             contents: bytemuck::bytes_of(&values),
@@ -128,6 +133,12 @@ impl FrameUniform {
             let thins = fog.falloff_m.recip();
             values.fog_shape = Vec4::new(fog.start_m, fog.base_m, thins, 0.0);
         }
+    }
+
+    /// Neither haze nor fog nor a lens from the next writing on.
+    pub fn clear_air(&mut self) {
+        self.values.haze.w = 0.0;
+        (self.fog, self.depth_of_field) = (None, None);
     }
 
     /// What moves between the ground and the sun; written with the camera.
@@ -192,6 +203,7 @@ mod tests {
             lens,
             exposure,
             samples_a_side,
+            stands_in,
             reserved,
             shade,
             shade_offset,

@@ -28,7 +28,9 @@ struct GpuStageFrame {
     exposure: f32,
     // Samples of the target that a side of a pixel has: what is a pixel wide is so many of them
     samples_a_side: f32,
-    reserved: vec2<f32>,
+    // 1 where ground stands for the grass that is too far to be drawn, 0 where all is drawn
+    stands_in: f32,
+    reserved: f32,
     // Moving shade, as the library's
     shade: vec4<f32>,
     shade_offset: vec2<f32>,

@@ -25,7 +25,11 @@ pub(super) struct FullscreenDesc<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Input {
     Color,
-    Depth { multisampled: bool },
+    /// All samples of a multisampled colour.
+    Samples,
+    Depth {
+        multisampled: bool,
+    },
 }
 
 /// A pipeline over the whole screen.
@@ -150,11 +154,11 @@ fn input_layout(device: &wgpu::Device, label: &str, inputs: &[Input]) -> wgpu::B
             visibility: wgpu::ShaderStages::FRAGMENT,
             ty: wgpu::BindingType::Texture {
                 sample_type: match input {
-                    Input::Color => Sample::Float { filterable: false },
+                    Input::Color | Input::Samples => Sample::Float { filterable: false },
                     Input::Depth { .. } => Sample::Depth,
                 },
                 view_dimension: wgpu::TextureViewDimension::D2,
-                multisampled: *input == Input::Depth { multisampled: true },
+                multisampled: matches!(input, Input::Samples | Input::Depth { multisampled: true }),
             },
             count: None,
         })

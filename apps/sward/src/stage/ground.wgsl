@@ -48,7 +48,7 @@ fn ground_material(p: vec3<f32>, normal: vec3<f32>, soil: vec3<f32>, grass: vec4
     let cover = clamp(grass.w + (broad - 0.5) * 0.5 + (middle - 0.5) * 0.6 + (fine - 0.5) * 0.5, 0.0, 1.0);
     // Far off one looks on the canopy's tips, which thinned blades no longer draw; close up,
     // between the blades, on their shaded feet.
-    let far = smoothstep(0.006, 0.05, pixel_m);
+    let far = smoothstep(0.006, 0.05, pixel_m) * frame.stands_in;
     let share = mix(mix(cover, grass.w, 0.35), 1.0, far * grass.w);
     let shade = mix(0.45 + 0.25 * middle + 0.3 * fine + 0.2 * grain, 1.1 + 0.5 * (broad - 0.5), far);
     let earth = soil * (0.5 + 0.6 * middle + 0.4 * grain);

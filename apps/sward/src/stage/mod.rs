@@ -7,6 +7,7 @@ mod clock;
 mod frame;
 mod fullscreen;
 mod grass_look;
+mod light;
 mod meshes;
 mod movers;
 mod opaque;
@@ -22,6 +23,7 @@ mod targets;
 mod texture;
 
 pub use clock::Clock;
+pub use light::LightMap;
 pub use options::{StageOptions, no_culling};
 
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
@@ -29,6 +31,7 @@ use anyhow::{Context, Result};
 use frame::{CameraMatrices, FrameUniform};
 use grass_look::GrassLook;
 use image::RgbImage;
+use light::Readable;
 use movers::Movers;
 use opaque::Opaque;
 use options::view;
@@ -65,6 +68,8 @@ pub struct Stage {
     crop: Crop,
     /// What a reference is drawn to, once there was one.
     supersampled: Option<Supersampled>,
+    /// What [`Stage::light_map`] draws to.
+    readable: Option<Readable>,
     /// Whether the depth target holds the opaque things of this time, and nothing else.
     depth_is_opaque: bool,
 }
@@ -126,6 +131,7 @@ impl Stage {
             warm_up_s,
             crop,
             supersampled: None,
+            readable: None,
             depth_is_opaque: false,
         };
         stage.write_camera();
@@ -292,7 +298,9 @@ impl Stage {
         });
         self.renderer.draw(&mut pass, 0);
         self.opaque.draw_color(&mut pass, &self.uniform);
-        self.sky.draw(&mut pass, &self.uniform);
+        if self.options.sky {
+            self.sky.draw(&mut pass, &self.uniform);
+        }
         drop(pass);
         self.depth_is_opaque = false;
     }

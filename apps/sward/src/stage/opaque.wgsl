@@ -114,5 +114,6 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
         color = mix(color, look, grass);
     }
     let clear = exp(-frame.haze.w * distance(frame.eye.xyz, in.world));
-    return vec4(mix(frame.haze.rgb, color, clear), 1.0);
+    // Below 0: ground that stands for grass, and how much of it does
+    return vec4(mix(frame.haze.rgb, color, clear), -mix(sunlit, 1.0, grass));
 }

@@ -27,6 +27,10 @@ pub struct StageOptions {
     pub culling: Culling,
     /// All blades, with all segments, none culled, 64 samples a pixel averaged in linear light.
     pub reference: bool,
+    /// Leaves out of a reference what is out of view: the same picture, sooner.
+    pub reference_in_view: bool,
+    /// Sky; black, where it is not drawn.
+    pub sky: bool,
     /// Haze, where the scene has any.
     pub haze: bool,
     /// Fog by distance, over the picture; the scene's.
@@ -58,6 +62,8 @@ impl StageOptions {
             bands: scene.bands,
             culling: scene.culling,
             reference: false,
+            reference_in_view: false,
+            sky: true,
             haze: true,
             fog: scene.fog,
             depth_of_field: scene.depth_of_field,
@@ -66,6 +72,14 @@ impl StageOptions {
             culling_camera: None,
             level: None,
         })
+    }
+
+    /// Whether ground between blades is just that, near and far: where all grass is drawn, or stood in
+    /// for by wider blades, by clusters, or at the end by the ground's own look of it.
+    pub(super) fn draws_all(&self) -> bool {
+        let endless = self.culling.max_distance_m.is_infinite();
+        let stood_in = matches!(self.technique, Technique::Blades | Technique::Continuum);
+        self.reference || stood_in && endless
     }
 
     /// The camera of the picture.
@@ -108,6 +122,7 @@ pub(super) fn view<'a>(
     });
     if options.reference {
         view.culling = no_culling(options.culling);
+        view.culling.frustum = options.reference_in_view;
         view.detail = f32::INFINITY;
         view.width_correction = false;
     }

@@ -4,7 +4,8 @@
 
 use super::Stage;
 use super::frame::FrameUniform;
-use super::fullscreen::{Fullscreen, FullscreenDesc, Input};
+use super::fullscreen::Fullscreen;
+use super::light::{SUM_FORMAT, averaging};
 use super::post::{Drawn, Position};
 use super::targets::{Targets, texture};
 use crate::gpu::Gpu;
@@ -15,7 +16,6 @@ use glam::{Mat4, Vec2, Vec3};
 const SIDE: u32 = 8;
 /// Most samples of a tile; with colour and depth, 12 bytes each, 604 MB.
 const MOST_SAMPLES: u32 = 8192 * 6144;
-const SUM_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
 /// A part of the picture, and how finely it is sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,16 +107,7 @@ impl Supersampled {
         let tiles = tiles(size, device.limits().max_texture_dimension_2d);
         let tile_size = tiles.first().map_or(size, |tile| tile.size);
         let samples = Targets::without_picture(device, tile_size.map(|side| side * SIDE));
-        let desc = FullscreenDesc {
-            name: "average",
-            source: include_str!("average.wgsl"),
-            formats: &[SUM_FORMAT],
-            samples: 1,
-            inputs: &[Input::Color],
-            constants: &[],
-            background: false,
-        };
-        let average = Fullscreen::new(device, &frame.layout, &desc);
+        let average = averaging(device, frame, false);
         let inputs = average.bind(device, &[samples.linear()]);
         use wgpu::TextureUsages as U;
         let tile_usage = U::RENDER_ATTACHMENT | U::COPY_SRC;
@@ -134,6 +125,11 @@ impl Supersampled {
             linear,
             positions: None,
         }
+    }
+
+    /// The whole picture, averaged.
+    pub fn linear(&self) -> &wgpu::Texture {
+        &self.linear
     }
 
     /// Records the average of a tile's samples into its place, and their positions.
@@ -175,6 +171,19 @@ fn into_place(
 impl Stage {
     /// Draws the reference up to the encoded picture.
     pub(super) fn render_reference(&mut self) -> Result<()> {
+        self.draw_reference()?;
+        let Some(target) = &self.supersampled else { return Ok(()) };
+        let mut encoder = self.encoder();
+        let position = target.positions.as_ref().map(|positions| &positions.whole_view);
+        let drawn = Drawn { color: &target.linear_view, position };
+        let (device, picture) = (&self.gpu.device, &self.targets.picture_view);
+        self.post.run(device, &mut encoder, &self.uniform, drawn, picture);
+        self.submit(encoder);
+        Ok(())
+    }
+
+    /// Draws the reference in linear light.
+    pub(super) fn draw_reference(&mut self) -> Result<()> {
         let mut target = match self.supersampled.take() {
             Some(target) => target,
             None => Supersampled::new(&self.gpu, &self.uniform, self.options.size),
@@ -190,15 +199,8 @@ impl Stage {
         self.crop = Crop::whole(self.options.size);
         self.depth_is_opaque = false;
         self.write_camera();
-        drawn?;
-        let mut encoder = self.encoder();
-        let position = target.positions.as_ref().map(|positions| &positions.whole_view);
-        let drawn = Drawn { color: &target.linear_view, position };
-        let (device, picture) = (&self.gpu.device, &self.targets.picture_view);
-        self.post.run(device, &mut encoder, &self.uniform, drawn, picture);
-        self.submit(encoder);
         self.supersampled = Some(target);
-        Ok(())
+        drawn
     }
 
     /// Draws all tiles to the samples that are the stage's targets for now.

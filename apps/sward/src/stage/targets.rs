@@ -18,6 +18,14 @@ impl Targets {
         Self::with_picture(device, size, samples, size)
     }
 
+    /// The same, and the samples of its colour can be read.
+    pub fn readable(device: &wgpu::Device, size: [u32; 2], samples: u32) -> Self {
+        use wgpu::TextureUsages as U;
+        let usage = U::RENDER_ATTACHMENT | U::TEXTURE_BINDING;
+        let color = texture(device, "sward.stage.color", size, COLOR_FORMAT, samples, usage);
+        Self { color: color.create_view(&Default::default()), ..Self::new(device, size, samples) }
+    }
+
     /// One sample, and no picture to speak of: what is averaged before it becomes one.
     pub fn without_picture(device: &wgpu::Device, size: [u32; 2]) -> Self {
         Self::with_picture(device, size, 1, [1; 2])

@@ -115,6 +115,13 @@ fn level_height(level: Option<u8>) -> [f32; 2] {
     [FULL_DETAIL_PX * 0.25_f32.powf(f32::from(level) + 0.35); 2]
 }
 
+/// Pixels that a metre covers at distance 1 (perspective) or at any (orthographic).
+pub fn focal_px(view: &View) -> f32 {
+    let clip = view.clip_from_view;
+    (clip.y_axis.y.abs() * view.size[1] as f32 * 0.5)
+        .max(clip.x_axis.x.abs() * view.size[0] as f32 * 0.5)
+}
+
 /// The uniform of a view that [`check_view`] let pass.
 pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
     let clip_from_world = view.clip_from_view * view.view_from_world;
@@ -122,8 +129,6 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
     let clip = view.clip_from_view;
     let perspective = clip.w_axis.w.abs() < 0.5;
     let row = view.view_from_world.transpose().z_axis;
-    let focal = (clip.y_axis.y.abs() * view.size[1] as f32 * 0.5)
-        .max(clip.x_axis.x.abs() * view.size[0] as f32 * 0.5);
     let eye: Vec3 = world_from_view.w_axis.truncate();
     let bands = view.bands;
     let detail = view.detail.clamp(1e-3, 1e6);
@@ -136,7 +141,7 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
         planes: frustum_planes(clip_from_world),
         depth_from_value: [-clip.w_axis.z, -clip.w_axis.w, clip.z_axis.w, clip.z_axis.z],
         size: [view.size[0] as f32, view.size[1] as f32],
-        focal,
+        focal: focal_px(view),
         detail,
         least_width: LEAST_WIDTH_PX / detail,
         max_distance: view.culling.max_distance_m.min(1e30),

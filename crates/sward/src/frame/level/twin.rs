@@ -1,8 +1,7 @@
 //! The CPU reference of level.wgsl.
 
-use super::FULL_DETAIL_PX;
+use super::{FULL_DETAIL_PX, MORPH_SHARE};
 
-const MORPH_SHARE: f32 = 0.3;
 const FADE_SHARE: f32 = 0.3;
 
 /// Level and how far it has turned into the next.
