@@ -32,8 +32,8 @@ fn blades_turn_into_clusters_and_clusters_into_ground() {
     let mut rig = rig(4096);
     let (mut last_clusters, mut fewest) = (0, u64::MAX);
     let mut seen = [false; 3];
-    for step in 0..40 {
-        let distance = 3.0 * 1.2_f32.powi(step);
+    for step in 0..50 {
+        let distance = 0.7 * 1.2_f32.powi(step);
         rig.step(&Frame::new(0.02, &breeze()), &[from(distance)]);
         let blades: u32 = (0..BLADE_BUCKETS).map(|b| count(&rig, b)).sum();
         let clusters = count(&rig, CLUSTER_BUCKET);
@@ -100,7 +100,10 @@ fn cover_goes_on() {
         let view = from(distance);
         rig.step(&Frame::new(0.02, &breeze()), &[view]);
         let mixed = covered(&draw(&mut rig, 0));
-        rig.cull(&[View { technique: Technique::Blades, ..view }]);
+        // Every blade as wide as it is: thin ones are otherwise drawn wider than they are
+        let (culling, technique) = (no_culling(), Technique::Blades);
+        let plain = View { culling, technique, width_correction: false, ..view };
+        rig.cull(&[plain]);
         let blades = covered(&draw(&mut rig, 0));
         println!("{distance} m: {mixed}, {blades} pixels");
         (all, all_blades) = (all + mixed, all_blades + blades);
