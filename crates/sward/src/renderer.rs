@@ -184,7 +184,9 @@ impl Renderer {
         }
         if count > 0 {
             let pages = first_page..self.pages.len();
-            self.unbaked.push(Unbaked::new(field, pictures, pages));
+            if Unbaked::has_clusters(field) {
+                self.unbaked.push(Unbaked::new(field, pictures, pages));
+            }
         }
         self.inputs.forget_lists();
         self.totals.blades += count;

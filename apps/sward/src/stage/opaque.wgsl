@@ -85,12 +85,13 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
     let texel = textureSampleBias(base_texture, base_sampler, in.uv, log2(frame.samples_a_side)).rgb;
     let v = normalize(frame.eye.xyz - in.world);
     // A zero normal, as a degenerate corner has, must not become NaN.
-    var n = in.normal / max(length(in.normal), 1e-12);
-    n = select(-n, n, front);
+    let outward = in.normal / max(length(in.normal), 1e-12);
+    var n = select(-outward, outward, front);
     let base = striped(in.material.rgb, in.stripe, in.uv) * in.color * texel;
     var albedo = base;
-    let up = normalize(mix(n, vec3(0.0, 1.0, 0.0), stance.x) + vec3(0.0, 1e-6, 0.0));
-    let grass = grass_on_ground(up, in.world, v);
+    let up = normalize(mix(outward, vec3(0.0, 1.0, 0.0), stance.x) + vec3(0.0, 1e-6, 0.0));
+    // Grass grows outward: who looks from behind sees none
+    let grass = grass_on_ground(up, in.world, v) * f32(dot(outward, v) > 0.0);
     var sunlit = 0.0;
     if in.grass.w >= 0.0 {
         let ground = ground_material(in.world, n, albedo, in.grass, pixel_m);
