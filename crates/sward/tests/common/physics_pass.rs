@@ -28,7 +28,7 @@ const SHADER: &str = concat!(
 struct GpuFrame {
     gravity_direction: [f32; 4],
     gravity_center: [f32; 4],
-    light: [[f32; 4]; 6],
+    light: [[f32; 4]; 7],
     dt_s: f32,
     gravity_blend: f32,
     crush_decay: f32,
@@ -153,7 +153,7 @@ impl PhysicsPass {
         GpuFrame {
             gravity_direction: gravity.direction.extend(gravity.strength).to_array(),
             gravity_center: gravity.center.extend(gravity.center_strength).to_array(),
-            light: [[0.0; 4]; 6],
+            light: [[0.0; 4]; 7],
             dt_s: around.dt_s as f32,
             gravity_blend: gravity.blend,
             crush_decay: around.crush_decay as f32,
