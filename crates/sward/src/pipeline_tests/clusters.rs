@@ -33,8 +33,9 @@ fn blades_turn_into_clusters_and_clusters_into_ground() {
     let (mut last_clusters, mut fewest) = (0, u64::MAX);
     let mut seen = [false; 3];
     for step in 0..50 {
-        let distance = 0.7 * 1.2_f32.powi(step);
-        rig.step(&Frame::new(0.02, &breeze()), &[from(distance)]);
+        let distance = 0.7 * 1.22_f32.powi(step);
+        let view = View { detail: 3.0, ..from(distance) };
+        rig.step(&Frame::new(0.02, &breeze()), &[view]);
         let blades: u32 = (0..BLADE_BUCKETS).map(|b| count(&rig, b)).sum();
         let clusters = count(&rig, CLUSTER_BUCKET);
         let statistics = rig.statistics();

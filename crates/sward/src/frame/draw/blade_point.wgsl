@@ -62,8 +62,9 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     let a = knee * corner.v;
     let b = mix(knee, state.tip, corner.v);
     let bend = state.tip - 2.0 * knee;
-    // Across the blade only: along it, every mark on it has its place
-    let along = unit_or(b - a, blade.up);
+    // Across the blade only: along it, every mark on it has its place. One direction for all of it,
+    // so that levels agree where they change
+    let along = unit_or(state.tip, blade.up);
     let aside = bend - along * dot(bend, along);
     let curve = mix(a, b, corner.v) + bend * ring.bend - aside * ring.outward;
     let center = blade.root + curve * blade.height;
