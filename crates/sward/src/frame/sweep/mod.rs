@@ -2,7 +2,7 @@
 //! by sweeping the columns of a grid between the corners in which the ground meets the frustum, in
 //! place of a test of all there is.
 //!
-//! Two things are swept: a host's terrain ([`Sweep`]), and the patches of a field, in views by
+//! Two things are swept: a host's terrain ([`crate::Sweep`]), and the patches of a field, in views by
 //! strips: there patch culling asks a patch's cell in place of its own frustum test.
 
 pub(crate) mod grid;
