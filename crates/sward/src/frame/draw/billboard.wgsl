@@ -44,7 +44,7 @@ fn vs_quad(
     @builtin(instance_index) instance: u32,
 ) -> QuadVertex {
     var out: QuadVertex;
-    out.clip = HIDDEN_PLANT;
+    out.clip = HIDDEN;
     let listed = listed_plant(vertex, instance);
     if listed.hidden {
         return out;
@@ -72,7 +72,7 @@ fn vs_quad(
     let twist = values.y * dot(state.tip, cross(blade.up, blade.facing));
     let wide = vec2<f32>(size.x * shape.width, size.y);
     let point = morphed_point(blade, state.tip, wide, shape.turn, twist, at, morph);
-    let lean = min(length(state.tip - blade.up * dot(state.tip, blade.up)), 1.0);
+    let lean = lean_of(blade, state.tip);
     out.clip = view.clip_from_world * vec4<f32>(point.position, 1.0);
     out.place = at;
     out.position = point.position;

@@ -99,6 +99,6 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     out.shape = u32(form.w);
     // A blade at rest runs so along its curve parameter
     out.height_share = corner.v * (2.0 - corner.v) - ring.bend;
-    out.lean = min(length(state.tip - blade.up * dot(state.tip, blade.up)), 1.0);
+    out.lean = lean_of(blade, state.tip);
     return out;
 }

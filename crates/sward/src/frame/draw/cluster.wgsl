@@ -71,7 +71,7 @@ fn picture_of(id: u32, facing: Facing) -> u32 {
 
 fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
     var out: ClusterVertex;
-    out.clip = vec4<f32>(0.0, 0.0, -1.0, 1.0);
+    out.clip = HIDDEN;
     let listed = listed_plant(vertex, instance);
     if listed.hidden {
         return out;

@@ -19,9 +19,6 @@ struct FarVertex {
     @location(0) @interpolate(perspective, centroid) color: vec3<f32>,
 }
 
-// Behind the near plane.
-const HIDDEN: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);
-
 fn lit(point: BladePoint) -> vec3<f32> {
     let to_eye = -view_ray(point.position);
     var surface: BladeSurface;

@@ -1,8 +1,6 @@
 // What plants of quads and modelled plants have in common: variants, tone, the light that they keep
 // away from themselves.
 
-// Behind the near plane
-const HIDDEN_PLANT: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);
 const LOOK_SALT: u32 = 41u;
 // Pictures of a variant: seen from three sides, 60 degrees apart
 const PICTURE_VIEWS: u32 = 3u;

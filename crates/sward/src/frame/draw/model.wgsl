@@ -63,7 +63,7 @@ fn vs_model(
     @builtin(instance_index) instance: u32,
 ) -> ModelVertex {
     var out: ModelVertex;
-    out.clip = HIDDEN_PLANT;
+    out.clip = HIDDEN;
     let listed = listed_plant(vertex, instance);
     if listed.hidden {
         return out;
@@ -99,7 +99,7 @@ fn vs_model(
         normal = cross(side, direction);
         normal = select(normal, -normal, dot(normal, ray) > 0.0) + side * (0.9 * sign(own.half));
     }
-    let lean = min(length(state.tip - blade.up * dot(state.tip, blade.up)), 1.0);
+    let lean = lean_of(blade, state.tip);
     out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
     out.normal = normal;
     out.albedo = own.albedo * plant_tone(id, lean, values.z);

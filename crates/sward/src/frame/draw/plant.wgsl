@@ -13,6 +13,9 @@ override TINTED: bool = false;
 @group(2) @binding(1) var<storage, read> list: array<u32>;
 @group(2) @binding(2) var<storage, read> draws: array<GpuDraw, 16>;
 
+// Behind the near plane: where vertices go that nothing shows of.
+const HIDDEN: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);
+
 // An entry of the draw list.
 struct Listed {
     index: u32,
@@ -32,6 +35,11 @@ fn listed_plant(vertex: u32, instance: u32) -> Listed {
     let entry = list[draws[BUCKET].start + slot];
     let morph = f32((entry >> 22u) & 31u) / 31.0;
     return Listed(entry & 0x3fffffu, morph, f32(entry >> 27u) / 31.0, false);
+}
+
+// How far a plant lies over, from its tip in heights: 0 upright, 1 flat.
+fn lean_of(blade: Blade, tip: vec3<f32>) -> f32 {
+    return min(length(tip - blade.up * dot(tip, blade.up)), 1.0);
 }
 
 // 10 bits a channel, square root encoded.

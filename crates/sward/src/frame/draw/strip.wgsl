@@ -19,8 +19,6 @@ struct StripVertex {
     @location(7) @interpolate(flat) look: vec2<u32>,
 }
 
-// Behind the near plane.
-const HIDDEN: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);
 // Dry grass, which O mixes into the tint of each blade by chance.
 const ORANGE: vec3<f32> = vec3<f32>(0.42, 0.2, 0.035);
 // Share of the light that a strip's own picture takes off in the mean.
@@ -65,7 +63,7 @@ fn vs_strip(
     out.tint = mix(own, ORANGE * (0.4 + 0.6 * share), dry * dry * strip_values(blade.species).z);
     out.place = vec2<f32>(across, share);
     out.up = blade.up;
-    let lean = min(length(tip - blade.up * dot(tip, blade.up)), 1.0);
+    let lean = lean_of(blade, tip);
     out.canopy = vec2<f32>(kind.form.z, lean);
     out.look = vec2<u32>(strip_layer(blade), blade.species);
     return out;

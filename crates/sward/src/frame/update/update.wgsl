@@ -38,6 +38,18 @@ fn mean_tip(axis: u32, count: u32) -> f32 {
     return f32(atomicLoad(&tips[axis])) / (65536.0 * f32(count));
 }
 
+// What one lane writes of a band whose blades were advanced; a patch's first band holds its mean tip.
+fn note_advance(band_index: u32, is_first: bool, blades: u32) {
+    bands[band_index].step = frame.step;
+    bands[band_index].ticks = frame.ticks;
+    bands[band_index].tested = atomicLoad(&tested);
+    if is_first {
+        bands[band_index].sway_x = mean_tip(0u, blades);
+        bands[band_index].sway_y = mean_tip(1u, blades);
+        bands[band_index].sway_z = mean_tip(2u, blades);
+    }
+}
+
 @compute @workgroup_size(64)
 fn update(
     @builtin(workgroup_id) group: vec3<u32>,
@@ -85,15 +97,7 @@ fn update(
     storageBarrier();
     if lane == 0u {
         if stale {
-            bands[band_index].step = frame.step;
-            bands[band_index].ticks = frame.ticks;
-            bands[band_index].tested = atomicLoad(&tested);
-            if group.y == 0u {
-                let blades = min(count, BAND);
-                bands[band_index].sway_x = mean_tip(0u, blades);
-                bands[band_index].sway_y = mean_tip(1u, blades);
-                bands[band_index].sway_z = mean_tip(2u, blades);
-            }
+            note_advance(band_index, group.y == 0u, min(count, BAND));
         }
         if TEST {
             bands[band_index].counts = array<vec4<u32>, 2>(bucket_counts(0u), bucket_counts(8u));
