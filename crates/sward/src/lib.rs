@@ -76,7 +76,6 @@
 //! and encoding by the host. The strength of wind is relative: 0.4 is a breeze, 1.2 a strong gust,
 //! for turf and reed alike.
 
-#[allow(dead_code)]
 mod bake;
 pub mod bands;
 pub mod billboard;

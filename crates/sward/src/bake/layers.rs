@@ -56,11 +56,6 @@ impl Layers {
         Self { size, count: chains.len() as u32, levels: (0..first.len()).map(level).collect() }
     }
 
-    /// One layer of one texel, which stands where a field has none.
-    pub(crate) fn blank() -> Self {
-        Self { size: [1, 1], count: 1, levels: vec![vec![[0; 4]]] }
-    }
-
     /// Texels of a layer of a level, row by row; for tests and pictures.
     #[cfg(test)]
     pub(crate) fn layer(&self, level: usize, layer: u32) -> &[[u8; 4]] {

@@ -8,6 +8,8 @@ pub(crate) mod cover;
 pub(crate) mod layers;
 pub(crate) mod mips;
 pub(crate) mod raster;
+#[cfg(test)]
+mod raster_tests;
 pub(crate) mod ribbon;
 pub(crate) mod stand;
 pub(crate) mod surfels;
