@@ -25,42 +25,15 @@ mod inputs;
 mod layouts;
 mod saved;
 mod sweeping;
+mod targets;
+#[cfg(test)]
+mod testing;
 
 use baked::Unbaked;
 use clock::Clock;
 use inputs::Inputs;
 pub(crate) use layouts::Layouts;
-
-/// Formats of the host's targets.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Targets {
-    /// Colour target that blades are drawn to, in linear light.
-    pub color: wgpu::TextureFormat,
-    /// Depth target; reversed depth is not supported yet: near is 0, far is 1.
-    pub depth: wgpu::TextureFormat,
-    /// Samples a pixel of both.
-    pub samples: u32,
-}
-
-impl Targets {
-    /// A colour format with a 32-bit depth, one sample a pixel.
-    pub fn single_sampled(color: wgpu::TextureFormat) -> Self {
-        Self { color, depth: wgpu::TextureFormat::Depth32Float, samples: 1 }
-    }
-
-    fn check(&self) -> Result<(), Error> {
-        if self.color.is_depth_stencil_format() {
-            return Err(Error::setting("targets.color", "must be a colour format"));
-        }
-        if !self.depth.has_depth_aspect() {
-            return Err(Error::setting("targets.depth", "must be a depth format"));
-        }
-        if ![1, 2, 4, 8, 16].contains(&self.samples) {
-            return Err(Error::setting("targets.samples", "must be 1, 2, 4, 8 or 16"));
-        }
-        Ok(())
-    }
-}
+pub use targets::Targets;
 
 /// One stage of a frame, for hosts that time or interleave them; [`Renderer::cull`] runs
 /// `PatchCull`, `Update` and `Compact`, fused where that saves memory traffic.
@@ -381,36 +354,6 @@ impl Renderer {
     /// Bytes of all buffers that grow with the blades, lists included.
     pub fn gpu_bytes(&self) -> u64 {
         self.pages.iter().map(|page| page.bytes() + page.list_bytes()).sum()
-    }
-}
-
-#[cfg(test)]
-impl Renderer {
-    pub(crate) fn pages(&self) -> &[Page] {
-        &self.pages
-    }
-
-    pub(crate) fn layouts(&self) -> &Layouts {
-        &self.layouts
-    }
-
-    pub(crate) fn frame_group(&self) -> &wgpu::BindGroup {
-        self.inputs.group()
-    }
-
-    pub(crate) fn counts_in_flight(&self) -> bool {
-        self.read_back.in_flight()
-    }
-
-    pub(crate) fn explained(&self, page: usize) -> Option<&wgpu::Buffer> {
-        self.debug.as_ref()?.explained.get(page)
-    }
-
-    /// Forgets every field.
-    pub(crate) fn clear(&mut self) {
-        self.pages.clear();
-        self.unbaked.clear();
-        self.totals = Statistics::default();
     }
 }
 

@@ -104,27 +104,7 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
     }
     colors::set_maps(context, file, &placed, &hosts, &mut descs)?;
     let (objects, surfaces) = finish(context, placed, &hosts, checked.ground.soil)?;
-    let mut fields = Vec::with_capacity(descs.len());
-    let described = file.fields.iter().zip(descs).zip(surfaces).enumerate();
-    for (index, ((field, mut desc), (object, mut surface))) in described {
-        if let Some(disk) = &field.inside {
-            let key = Key::list("fields", index).at("inside");
-            let (part, mask) = inside::cut(surface.mesh(), disk, &key)
-                .map_err(|problem| context.error(problem))?;
-            surface = self::surface(context, &field_name(field, index), part)?;
-            desc.density_map = Some(mask);
-        }
-        let (name, key) = (field_name(field, index), Key::list("fields", index));
-        let mix = plants::mix(context, field, &key)?;
-        if let Some(mix) = &mix {
-            let mixed = plants::mixed(mix, &key).map_err(|problem| context.error(problem))?;
-            if let Some(note) = mixed.note {
-                context.note(format!("field '{name}': {note}"));
-            }
-            desc.species = mixed.species;
-        }
-        fields.push(SceneField { name, object, surface, desc, mix });
-    }
+    let fields = scene_fields(context, file, descs, surfaces)?;
     let stem = context.path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
     Ok(Scene {
         name: file.name.clone().or(stem).unwrap_or_default(),
@@ -151,6 +131,36 @@ fn build(context: &mut Context, file: &SceneFile) -> Result<Scene, SceneError> {
         fps: checked.fps,
         notes: std::mem::take(&mut context.notes),
     })
+}
+
+/// The fields, each cut to its part of the surface and with its mix of plants.
+fn scene_fields(
+    context: &mut Context,
+    file: &SceneFile,
+    descs: Vec<sward::FieldDesc>,
+    surfaces: Surfaces,
+) -> Result<Vec<SceneField>, SceneError> {
+    let mut fields = Vec::with_capacity(descs.len());
+    let described = file.fields.iter().zip(descs).zip(surfaces).enumerate();
+    for (index, ((field, mut desc), (object, mut surface))) in described {
+        let (name, key) = (field_name(field, index), Key::list("fields", index));
+        if let Some(disk) = &field.inside {
+            let (part, mask) = inside::cut(surface.mesh(), disk, &key.at("inside"))
+                .map_err(|problem| context.error(problem))?;
+            surface = self::surface(context, &name, part)?;
+            desc.density_map = Some(mask);
+        }
+        let mix = plants::mix(context, field, &key)?;
+        if let Some(mix) = &mix {
+            let mixed = plants::mixed(mix, &key).map_err(|problem| context.error(problem))?;
+            if let Some(note) = mixed.note {
+                context.note(format!("field '{name}': {note}"));
+            }
+            desc.species = mixed.species;
+        }
+        fields.push(SceneField { name, object, surface, desc, mix });
+    }
+    Ok(fields)
 }
 
 /// The objects, those that fields bring included, and for each field the index of its object.

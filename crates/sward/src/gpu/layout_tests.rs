@@ -28,6 +28,7 @@ macro_rules! expected {
     };
 }
 
+/// A list, and as long as there are members of shared structs.
 fn structs() -> Vec<Expected> {
     vec![
         expected!(GpuFrame {

@@ -3,21 +3,19 @@
 use super::bindings;
 use super::buckets::Buckets;
 use super::buffers::{filled, storage, uniform, write};
-use super::fingerprint;
 use super::layout::{
-    BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuPatch, GpuSpecies, GpuView,
-    MAX_SPECIES, NEAR_STRIDE, TICKS_PER_SECOND,
+    BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuSpecies, GpuView, MAX_SPECIES,
+    NEAR_STRIDE, TICKS_PER_SECOND,
 };
+use super::packed::pack;
 use super::pictures::Pictures;
-use super::quantize::{gpu_patch, pack_blade};
 use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
 use crate::frame::draw::pipelines::Variant;
 use crate::frame::sweep::grid::Grid;
-use crate::frame::sweep::patches::{NO_CELL, PatchSweep, patch_grid};
+use crate::frame::sweep::patches::PatchSweep;
 use crate::renderer::Layouts;
 use crate::{Field, PhysicsModel, Shape, Technique};
 use bytemuck::Zeroable;
-use rayon::prelude::*;
 use wgpu::BufferUsages;
 
 /// Bytes of the species table.
@@ -117,79 +115,6 @@ fn upright_state(model: PhysicsModel) -> [u32; 2] {
 fn first_bands(count: usize, ticks: u32) -> Vec<GpuBand> {
     let asleep = ticks.wrapping_sub((ASLEEP_AT_FIRST_S * TICKS_PER_SECOND) as u32);
     vec![GpuBand { ticks: asleep, ..GpuBand::zeroed() }; count]
-}
-
-struct Packed {
-    field: GpuField,
-    blades: Vec<[u32; 4]>,
-    /// A colour a blade; one that is never read where the field has none.
-    tints: Vec<u32>,
-    patches: Vec<GpuPatch>,
-    grid: Option<Grid>,
-}
-
-impl Packed {
-    fn fingerprint(&self, species: &[GpuSpecies]) -> u64 {
-        let parts: [&[u8]; 4] = [
-            bytemuck::bytes_of(&self.field),
-            bytemuck::cast_slice(&self.blades),
-            bytemuck::cast_slice(&self.patches),
-            bytemuck::cast_slice(species),
-        ];
-        parts.into_iter().map(fingerprint::of).fold(0, fingerprint::fold)
-    }
-}
-
-/// Packs a run of patches.
-fn pack(field: &Field, first_patch: usize, patch_count: usize) -> Packed {
-    let patches = &field.patches()[first_patch..first_patch + patch_count];
-    let cells = patch_grid(patches);
-    let blades = patches
-        .par_iter()
-        .flat_map_iter(|patch| {
-            let own = patch.first as usize..(patch.first + patch.count) as usize;
-            field.blades()[own]
-                .iter()
-                .map(|b| pack_blade(b, patch, &field.species()[usize::from(b.species)]))
-        })
-        .collect::<Vec<_>>();
-    Packed {
-        field: GpuField {
-            blade_count: blades.len() as u32,
-            patch_count: patch_count as u32,
-            patch_size: field.patch_size(),
-            first_id: patches.first().map_or(0, |p| p.first),
-            cluster: [0.0; 4],
-        },
-        patches: gpu_patches(field, patches, cells.as_ref()),
-        grid: cells.map(|(grid, _)| grid),
-        tints: tints(field, patches),
-        blades,
-    }
-}
-
-fn gpu_patches(
-    field: &Field,
-    patches: &[crate::grow::Patch],
-    cells: Option<&(Grid, Vec<u32>)>,
-) -> Vec<GpuPatch> {
-    let own = |(i, patch)| {
-        let cell = cells.and_then(|(_, cells)| cells.get(i)).copied().unwrap_or(NO_CELL);
-        GpuPatch { cell, ..gpu_patch(patch, field.blades()) }
-    };
-    patches.iter().enumerate().map(own).collect()
-}
-
-fn tints(field: &Field, patches: &[crate::grow::Patch]) -> Vec<u32> {
-    let own = |patch: &crate::grow::Patch| {
-        let run = patch.first as usize..(patch.first + patch.count) as usize;
-        field.tints().get(run).unwrap_or_default().to_vec()
-    };
-    let mut tints: Vec<u32> = patches.iter().flat_map(own).collect();
-    if tints.is_empty() {
-        tints.push(0);
-    }
-    tints
 }
 
 /// Group 1 of drawing.
