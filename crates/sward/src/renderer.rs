@@ -6,6 +6,7 @@ use crate::frame::cull::Cull;
 use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
 use crate::frame::draw::mesh::vertices_by_bucket;
+use crate::frame::light::PatchLight;
 use crate::frame::sweep::patches::SweepStage;
 use crate::frame::update::{Update, Work};
 use crate::gpu::buffers;
@@ -14,7 +15,7 @@ use crate::gpu::page::Page;
 use crate::gpu::quantize::species_table;
 use crate::gpu::statistics::{PageCounts, ReadBack};
 use crate::gpu::uploads::Upload;
-use crate::gpu::view::{check_view, gpu_view};
+use crate::gpu::view::{check_view, gpu_view, technique_of};
 use crate::plants::layers::PlantLayers;
 use crate::{Error, Field, Frame, PhysicsModel, Statistics, Technique, View};
 
@@ -36,7 +37,7 @@ pub(crate) use layouts::Layouts;
 pub use targets::Targets;
 
 /// One stage of a frame, for hosts that time or interleave them; [`Renderer::cull`] runs
-/// `PatchCull`, `Update` and `Compact`, fused where that saves memory traffic.
+/// `PatchCull`, `Update`, `Light` and `Compact`, fused where that saves memory traffic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stage {
@@ -48,11 +49,13 @@ pub enum Stage {
     Visibility,
     /// Physics, tests and level in one pass: the default.
     Update,
+    /// The mean light of the patches, for [`Technique::Continuum`]; others have none.
+    Light,
     /// Prefix sums and the draw list.
     Compact,
 }
 
-const FUSED: [Stage; 3] = [Stage::PatchCull, Stage::Update, Stage::Compact];
+const FUSED: [Stage; 4] = [Stage::PatchCull, Stage::Update, Stage::Light, Stage::Compact];
 
 /// Draws grown fields into a host's passes.
 #[derive(Debug)]
@@ -61,6 +64,7 @@ pub struct Renderer {
     collide: Collide,
     cull: Cull,
     update: Update,
+    patch_light: PatchLight,
     compact: Compact,
     draw: Draw,
     /// Made when a view first sweeps.
@@ -92,6 +96,7 @@ impl Renderer {
             collide: Collide::new(device, &layouts),
             cull: Cull::new(device, &layouts),
             update: Update::new(device, &layouts),
+            patch_light: PatchLight::new(device, &layouts),
             compact: Compact::new(device, &layouts),
             draw: Draw::new(device, &layouts, targets),
             sweep: None,
@@ -294,6 +299,7 @@ impl Renderer {
         index: usize,
         view: &View,
     ) {
+        let continuum = technique_of(view) == Technique::Continuum;
         let (depth, multisampled) = self.layouts.depth_group(device, view.opaque_depth);
         for page in &self.pages {
             let Some(lists) = page.views.get(index) else { continue };
@@ -313,6 +319,8 @@ impl Renderer {
                 Stage::Physics => update(Work::Simulate),
                 Stage::Visibility => update(Work::Test),
                 Stage::Update => update(Work::Both),
+                Stage::Light if continuum => self.patch_light.encode(&mut pass, page, lists),
+                Stage::Light => {}
                 Stage::Compact => self.compact.encode(&mut pass, page, lists),
             }
         }

@@ -46,6 +46,9 @@ pub struct ViewLists {
     pub cull: wgpu::BindGroup,
     /// Group 2 of the update.
     pub update: wgpu::BindGroup,
+    /// Group 2 of the patches' mean light.
+    pub patch_light: wgpu::BindGroup,
+    lights: wgpu::Buffer,
     /// Group 2 of the scan.
     pub scan: wgpu::BindGroup,
     /// Group 2 of compaction.
@@ -88,6 +91,8 @@ pub struct Page {
     /// Bucket, morph and fade of each blade, two a word.
     pub decisions: wgpu::Buffer,
     blocks: wgpu::Buffer,
+    /// `GpuCanopy`.
+    canopy: wgpu::Buffer,
     /// Bindings 0 to 5 of drawing.
     drawn: [wgpu::Buffer; 6],
     /// Group 1 of the compute stages.
@@ -210,6 +215,7 @@ impl Page {
             work_reset,
             decisions,
             blocks,
+            canopy: pictures.canopy.clone(),
             drawn,
         }
     }
@@ -286,6 +292,11 @@ impl Page {
         self.field.cluster = cluster;
         write(device, encoder, &self.drawn[0], bytemuck::bytes_of(&self.field));
         self.draw_group = draw_group(device, layouts, (&self.drawn, &self.bands), pictures);
+        self.canopy = pictures.canopy.clone();
+        for index in 0..self.views.len() {
+            let (view, lights) = (&self.views[index].view, &self.views[index].lights);
+            self.views[index].patch_light = self.light_group(device, layouts, view, lights);
+        }
     }
 
     /// Which draw lists its plants may be in, in a view of that technique.
@@ -313,6 +324,17 @@ impl Page {
         }
     }
 
+    fn light_group(
+        &self,
+        device: &wgpu::Device,
+        layouts: &Layouts,
+        view: &wgpu::Buffer,
+        lights: &wgpu::Buffer,
+    ) -> wgpu::BindGroup {
+        let list = [view, &self.bands, &self.work, &self.work_size, &self.canopy, lights];
+        bindings::buffers(device, "sward.patch_light", &layouts.patch_light, &list)
+    }
+
     fn view_lists(
         &self,
         device: &wgpu::Device,
@@ -326,7 +348,8 @@ impl Page {
         let view = uniform(device, "sward.view", size_of::<GpuView>() as u64);
         let list = store("sward.list", u64::from(capacity) * 4, none);
         let draws_bytes = (BUCKETS * size_of::<GpuDraw>()) as u64;
-        let draws = store("sward.draws", draws_bytes, none);
+        let draws = store("sward.draws", draws_bytes, BufferUsages::UNIFORM);
+        let lights = store("sward.patch_lights", u64::from(self.field.patch_count) * 16, none);
         let indirect = store("sward.indirect", BUCKETS as u64 * 20, BufferUsages::INDIRECT);
         let counted = store("sward.counted", 32, none);
         let bind =
@@ -347,8 +370,10 @@ impl Page {
             update: bind("sward.update", &layouts.update, &update),
             scan: bind("sward.scan", &layouts.scan, &scan),
             compact: bind("sward.compact", &layouts.compact, &compact),
-            draw: bind("sward.draw", &layouts.draw, &[&view, &list, &draws]),
-            bytes: list.size(),
+            draw: bind("sward.draw", &layouts.draw, &[&view, &list, &draws, &lights]),
+            bytes: list.size() + lights.size(),
+            patch_light: self.light_group(device, layouts, &view, &lights),
+            lights,
             #[cfg(test)]
             list,
             view,

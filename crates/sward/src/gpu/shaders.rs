@@ -48,6 +48,8 @@ const SHADE: &str = part!("frame/light/shade.wgsl");
 const SUNLIGHT: &str = part!("frame/light/sunlight.wgsl");
 const CANOPY: &str = part!("frame/light/canopy.wgsl");
 const END: &str = part!("frame/light/end.wgsl");
+const PATCH_LIGHT: &str = part!("frame/light/patch_light.wgsl");
+const THIN: &str = part!("frame/draw/thin.wgsl");
 const CLUSTER: &str = part!("frame/draw/cluster.wgsl");
 const PLANT: &str = part!("frame/draw/plant.wgsl");
 const PICTURES: &str = part!("frame/draw/pictures.wgsl");
@@ -78,6 +80,8 @@ pub enum Shader {
     Update,
     /// The same, reading a multisampled depth.
     UpdateMultisampled,
+    /// The mean light of patches.
+    PatchLight,
     /// Prefix sums.
     Scan,
     /// The draw list.
@@ -110,11 +114,12 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
         Self::UpdateMultisampled,
+        Self::PatchLight,
         Self::Scan,
         Self::Compact,
         Self::Draw,
@@ -137,6 +142,7 @@ impl Shader {
             Self::Collide => "sward.collide",
             Self::Cull => "sward.cull",
             Self::Update | Self::UpdateMultisampled => "sward.update",
+            Self::PatchLight => "sward.patch_light",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
             Self::Draw
@@ -153,15 +159,16 @@ impl Shader {
 
     fn parts(self) -> Vec<&'static str> {
         let light = [SHADE, SUNLIGHT, LIGHT];
+        let thin = [CANOPY, PLANT, THIN];
         let blade =
-            [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
+            [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &thin, &[OUTLINE, BLADE_POINT, DRAW]];
         let draw = blade.concat();
         let level = [LEVEL, END, FORM, CONTINUUM, STRIP_LOOK, STRIPS, BANDS];
         let plant =
             [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
         let plant = plant.concat();
         let cluster =
-            [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &[CANOPY, PLANT, PICTURES, CLUSTER]];
+            [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &thin, &[PICTURES, CLUSTER]];
         let cluster = cluster.concat();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
@@ -172,6 +179,7 @@ impl Shader {
             Self::Cull => &[&[BAND, VIEW], &level, &[PATCH, CULL]],
             Self::Update => &[&[DEPTH_SINGLE], &collide, &update],
             Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &collide, &update],
+            Self::PatchLight => &[&[BAND, VIEW], &light, &[CANOPY, PATCH_LIGHT]],
             Self::Scan => &[&[BAND, DRAWS, VIEW, SCAN]],
             Self::Compact => &[&[BAND, VIEW, COMPACT]],
             Self::Draw => &[&draw],

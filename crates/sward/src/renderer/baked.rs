@@ -39,7 +39,7 @@ impl Unbaked {
         let clusters = clusters(&self.stands);
         let canopy = canopy(&self.stands, Some(&clusters));
         let [radius, height, mean_height, _] = canopy.size;
-        let size = [mean_height, radius, height, 0.0];
+        let size = [mean_height, radius, height, self.stands.means.width()];
         let (cluster_color, color) = clusters.color.texture(device, "sward.cluster_color");
         let (cluster_shape, shape) = clusters.shape.texture(device, "sward.cluster_shape");
         color.iter().chain(&shape).for_each(|upload| upload.record(encoder));

@@ -6,8 +6,8 @@ struct GpuField {
     patch_size: u32,
     // Index in the field of the page's first blade
     first_id: u32,
-    // Mean length of the field's blades; half width and height of a cluster, metres; all 0 where none
-    // is baked
+    // Mean length of the field's blades; half width and height of a cluster; mean width of the blades,
+    // metres; all 0 where none is baked
     cluster: vec4<f32>,
 }
 

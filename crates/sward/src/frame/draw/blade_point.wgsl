@@ -31,6 +31,8 @@ struct BladePoint {
     up: vec3<f32>,
     height_share: f32,
     root_open: f32,
+    // The mean that a thin blade is drawn towards, and how far it differs
+    look: vec4<f32>,
     // 0 upright, 1 flat
     lean: f32,
     // Place across, 0 to 1
@@ -94,6 +96,7 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     out.albedo = blade_color(blade, corner.v * (1.5 - 0.5 * corner.v) - 0.5 * ring.bend);
     out.up = blade.up;
     out.root_open = form.z;
+    out.look = thin_look(listed.index, width_px);
     out.u = corner.u;
     out.thin = thin;
     out.shape = u32(form.w);

@@ -2,14 +2,13 @@
 // runs from the cylinder's near foot to its far top, so that it covers what the cylinder does on the
 // screen from any elevation, and never goes under the ground.
 
-override SAMPLES: u32 = 1u;
-
-@group(1) @binding(12) var<uniform> canopy: GpuCanopy;
-
 struct ClusterVertex {
     @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
-    @location(1) @interpolate(perspective, centroid) light: vec3<f32>,
+    // rgb the mean; a how far texels differ from it
+    @location(1) @interpolate(flat) look: vec4<f32>,
+    // Mean of the texels that show
+    @location(5) @interpolate(flat) texels: vec3<f32>,
     @location(2) @interpolate(flat) haze: f32,
     @location(3) @interpolate(flat) layer: u32,
     @location(4) @interpolate(flat) seed: u32,
@@ -82,21 +81,16 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
     let to_eye = -view_ray(blade.root + blade.up * (0.5 * cluster.z));
     let facing = facing_of(blade.up, to_eye);
     let sway = sway_of(listed.index, blade.up);
+    let scale = pixels_per_metre(distance);
     let count = patch_blades(listed.index / field.patch_size);
-    let wide = listed.fade * cluster_widening(cluster, pixels_per_metre(distance), count);
+    let wide = listed.fade * cluster_widening(cluster, scale, count);
     let corner = vertex % VERTICES;
     let position = blade.root
         + card_corner(corner, facing, blade.up, cluster.y, cluster.z, wide, sway);
     out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
     out.uv = vec2<f32>(f32(corner & 1u), f32(corner < 2u));
-    let level_sway = sway - blade.up * dot(sway, blade.up);
-    let lean = min(length(level_sway), 1.0);
-    let shaded = sun_shade(blade.root);
-    var light = canopy_light(blade.up, to_eye, lean, shaded, hash01(blade.id, 52u), corner);
-    if TINTED {
-        light *= canopy_tint(unpack_color(tints[listed.index]));
-    }
-    out.light = light;
+    out.look = thin_look(listed.index, cluster.w * scale);
+    out.texels = canopy_texels(blade.up, to_eye);
     out.haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
     out.layer = picture_of(blade.id, facing);
     out.seed = hash_u32(blade.id);
@@ -143,6 +137,7 @@ fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
     if samples == 0u {
         discard;
     }
-    let color = texel.rgb * texel.rgb * in.light;
+    let own = in.look.rgb * texel.rgb * texel.rgb / in.texels;
+    let color = as_shown(own, in.look);
     return ClusterPixel(vec4<f32>(mix(color, frame.haze.rgb, in.haze), 1.0), samples);
 }

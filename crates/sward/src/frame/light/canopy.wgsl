@@ -38,18 +38,10 @@ fn canopy_row(sine: f32) -> f32 {
     return clamp(5.0 + log2(max(abs(sine), 0.001)), 0.0, 5.0);
 }
 
-// Radiance of what shows of the grass at one elevation, by every so-many-th representative. `lean` is
-// how far wind bends the grass over on the whole, 0 to 1; `shaded` the share of the sun that something
-// keeps away.
-fn canopy_part_radiance(
-    row: u32,
-    first: u32,
-    step: u32,
-    up: vec3<f32>,
-    to_eye: vec3<f32>,
-    lean: f32,
-    shaded: f32,
-) -> vec3<f32> {
+// Radiance of what shows of the grass at one elevation. `lean` is how far wind bends the grass over on
+// the whole, 0 to 1; `shaded` the share of the sun that something keeps away.
+fn canopy_row_radiance(row: u32, up: vec3<f32>, to_eye: vec3<f32>, lean: f32, shaded: f32)
+    -> vec3<f32> {
     let level = to_eye - up * dot(to_eye, up);
     let square = dot(level, level);
     // Straight from above any direction will do
@@ -63,7 +55,7 @@ fn canopy_part_radiance(
     surface.shaded = shaded;
     surface.lean = min(sqrt(canopy.pose.x * canopy.pose.x + lean * lean), 1.0);
     var sum = vec3<f32>(0.0);
-    for (var i = first; i < CANOPY_SURFELS; i += step) {
+    for (var i = 0u; i < CANOPY_SURFELS; i++) {
         let index = row * CANOPY_SURFELS + i;
         let n = canopy.surfels[index].normal;
         surface.normal = right * n.x + up * n.y + toward * n.z;
@@ -71,12 +63,7 @@ fn canopy_part_radiance(
         surface.height_share = canopy.surfels[index].height_share;
         sum += canopy.surfels[index].weight * shade_blade(surface, to_eye);
     }
-    return sum * f32(step);
-}
-
-fn canopy_row_radiance(row: u32, up: vec3<f32>, to_eye: vec3<f32>, lean: f32, shaded: f32)
-    -> vec3<f32> {
-    return canopy_part_radiance(row, 0u, 1u, up, to_eye, lean, shaded);
+    return sum;
 }
 
 // Mean radiance of the grass, seen from `to_eye`.
@@ -90,20 +77,12 @@ fn canopy_radiance(up: vec3<f32>, to_eye: vec3<f32>, lean: f32, shaded: f32) -> 
     );
 }
 
-// What a texel of a cluster's picture is multiplied by, so that the mean over what shows is the
-// canopy's radiance. `dither`, 0 to 1, picks one of the two elevations next to the view's. Of a
-// card's four corners each takes a quarter of the representatives; between them lies their mean.
-fn canopy_light(
-    up: vec3<f32>,
-    to_eye: vec3<f32>,
-    lean: f32,
-    shaded: f32,
-    dither: f32,
-    corner: u32,
-) -> vec3<f32> {
-    let row = u32(clamp(canopy_row(dot(up, to_eye)) + dither, 0.0, 5.0));
-    let mean = max(canopy.rows[row].rgb, vec3<f32>(1e-4));
-    return canopy_part_radiance(row, corner & 3u, 4u, up, to_eye, lean, shaded) / mean;
+// Mean of the texels of clusters that show: of the albedo in the canopy's own shade.
+fn canopy_texels(up: vec3<f32>, to_eye: vec3<f32>) -> vec3<f32> {
+    let row = canopy_row(dot(up, to_eye));
+    let low = min(u32(row), CANOPY_ROWS - 2u);
+    let mean = mix(canopy.rows[low].rgb, canopy.rows[low + 1u].rgb, row - f32(low));
+    return max(mean, vec3<f32>(1e-4));
 }
 
 // Share of the ground that the grass hides, seen from `to_eye`.
