@@ -1,7 +1,7 @@
 //! What a field looks like as a whole, from each elevation.
 
 use super::cluster::Clusters;
-use super::cover::{Cover, ROWS, look};
+use super::cover::{Cover, ROWS, look, sine};
 use super::stand::{Stand, Stands};
 use super::surfels::{SURFELS, Weighted, depth_shade, group};
 use crate::gpu::layout::GpuCanopy;
@@ -10,6 +10,8 @@ use rayon::prelude::*;
 
 /// Places that are grouped, of an elevation.
 const GROUPED: usize = 8192;
+/// Less of the ground that is open does not show in so few samples.
+const LEAST_OPEN: f32 = 5e-4;
 
 /// Looks at stands from all elevations. `clusters` gives the size of theirs.
 pub(crate) fn canopy(stands: &Stands, clusters: Option<&Clusters>) -> GpuCanopy {
@@ -48,4 +50,17 @@ fn fill(canopy: &mut GpuCanopy, row: usize, cover: &Cover, root_open: f32) {
         .sum();
     canopy.rows[row] = (tone / count.max(1) as f32).extend(cover.open()).to_array();
     canopy.surfels[row * SURFELS..(row + 1) * SURFELS].copy_from_slice(&group(&places, root_open));
+}
+
+/// Blades that a ray meets on its way to the ground, in the mean, for each metre along over each metre of
+/// height, and straight down; from what is open of the ground (Poisson).
+pub(crate) fn layers(canopy: &GpuCanopy) -> [f32; 2] {
+    let met = |row: usize| -canopy.rows[row][3].max(LEAST_OPEN).ln();
+    let above = met(ROWS - 1);
+    let aside = |row: usize| {
+        let along = (1.0 - sine(row) * sine(row)).sqrt() / sine(row);
+        ((met(row) - above) / along).max(0.0)
+    };
+    // Where all is closed the number is at least so high
+    [(0..ROWS - 1).map(aside).fold(0.0, f32::max), above]
 }

@@ -97,6 +97,9 @@ pub struct GpuField {
     pub patch_size: u32,
     pub first_id: u32,
     pub cluster: [f32; 4],
+    pub layers: [f32; 2],
+    pub reserved_a: f32,
+    pub reserved_b: f32,
 }
 
 /// `GpuPatch` of field.wgsl.

@@ -79,7 +79,16 @@ fn structs() -> Vec<Expected> {
             map_size,
             reserved,
         }),
-        expected!(GpuField { blade_count, patch_count, patch_size, first_id, cluster }),
+        expected!(GpuField {
+            blade_count,
+            patch_count,
+            patch_size,
+            first_id,
+            cluster,
+            layers,
+            reserved_a,
+            reserved_b
+        }),
         expected!(GpuPatch { origin, edge, reach_min, cell, reach_max, max_width }),
         expected!(GpuSpecies {
             height,

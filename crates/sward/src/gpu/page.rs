@@ -286,10 +286,11 @@ impl Page {
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         layouts: &Layouts,
-        cluster: [f32; 4],
+        (cluster, layers): ([f32; 4], [f32; 2]),
         pictures: &Pictures,
     ) {
         self.field.cluster = cluster;
+        self.field.layers = layers;
         write(device, encoder, &self.drawn[0], bytemuck::bytes_of(&self.field));
         self.draw_group = draw_group(device, layouts, (&self.drawn, &self.bands), pictures);
         self.canopy = pictures.canopy.clone();

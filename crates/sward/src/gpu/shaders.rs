@@ -32,6 +32,7 @@ const PATCH: &str = part!("frame/cull/patch.wgsl");
 const CULL: &str = part!("frame/cull/cull.wgsl");
 const LEVEL: &str = part!("frame/level/level.wgsl");
 const FORM: &str = part!("frame/level/form.wgsl");
+const ENOUGH: &str = part!("frame/level/enough.wgsl");
 const CONTINUUM: &str = part!("frame/level/continuum.wgsl");
 const STRIPS: &str = part!("frame/level/strips.wgsl");
 const BANDS: &str = part!("frame/level/bands.wgsl");
@@ -160,10 +161,14 @@ impl Shader {
     fn parts(self) -> Vec<&'static str> {
         let light = [SHADE, SUNLIGHT, LIGHT];
         let thin = [CANOPY, PLANT, THIN];
-        let blade =
-            [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &thin, &[OUTLINE, BLADE_POINT, DRAW]];
+        let blade = [
+            &[STATE, DRAWS, VIEW, LEVEL][..],
+            &light,
+            &thin,
+            &[ENOUGH, OUTLINE, BLADE_POINT, DRAW],
+        ];
         let draw = blade.concat();
-        let level = [LEVEL, END, FORM, CONTINUUM, STRIP_LOOK, STRIPS, BANDS];
+        let level = [LEVEL, END, FORM, ENOUGH, CONTINUUM, STRIP_LOOK, STRIPS, BANDS];
         let plant =
             [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
         let plant = plant.concat();

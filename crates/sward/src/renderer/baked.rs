@@ -1,7 +1,7 @@
 //! What is baked of each field, when a view first needs it.
 
 use super::{Layouts, Renderer};
-use crate::bake::canopy::canopy;
+use crate::bake::canopy::{canopy, layers};
 use crate::bake::cluster::clusters;
 use crate::bake::stand::Stands;
 use crate::gpu::page::Page;
@@ -43,10 +43,11 @@ impl Unbaked {
         let (cluster_color, color) = clusters.color.texture(device, "sward.cluster_color");
         let (cluster_shape, shape) = clusters.shape.texture(device, "sward.cluster_shape");
         color.iter().chain(&shape).for_each(|upload| upload.record(encoder));
+        let layers = layers(&canopy);
         let canopy = Pictures::canopy_buffer(device, &canopy);
         let pictures = Pictures { cluster_color, cluster_shape, canopy, ..self.pictures };
         for page in pages.get_mut(self.pages).into_iter().flatten() {
-            page.set_baked(device, encoder, layouts, size, &pictures);
+            page.set_baked(device, encoder, layouts, (size, layers), &pictures);
         }
     }
 }

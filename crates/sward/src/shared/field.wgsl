@@ -9,6 +9,11 @@ struct GpuField {
     // Mean length of the field's blades; half width and height of a cluster; mean width of the blades,
     // metres; all 0 where none is baked
     cluster: vec4<f32>,
+    // Blades that a ray meets on its way to the ground, in the mean: x a level one, for each metre on the
+    // ground over metre of height that it takes, y one from straight above; 0 where it is not known
+    layers: vec2<f32>,
+    reserved_a: f32,
+    reserved_b: f32,
 }
 
 struct GpuPatch {

@@ -33,7 +33,7 @@ fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
     }
     var kept = 0u;
     if seen.visible {
-        kept = kept_blades(home, count, nearest);
+        kept = kept_blades(index, home, count, nearest);
     }
     for (var b = 0u; b < bands_per_patch(); b++) {
         let band = index * bands_per_patch() + b;

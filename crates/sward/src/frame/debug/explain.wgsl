@@ -12,10 +12,11 @@ const ADVANCED: u32 = 16u;
 const TOUCHED: u32 = 32u;
 
 // Failed tests of a patch as a whole, and of a blade beyond the prefix that it keeps.
-fn failed_with_patch(home: GpuPatch, local: u32, count: u32) -> u32 {
+fn failed_with_patch(index: u32, local: u32, count: u32) -> u32 {
+    let home = patches[index];
     let nearest = nearest_of(home);
     var failed = select(0u, 2u, !see_patch(home).visible);
-    let too_far = is_too_far(nearest) || local >= kept_blades(home, count, nearest);
+    let too_far = is_too_far(nearest) || local >= kept_blades(index, home, count, nearest);
     return failed | select(0u, 4u, too_far);
 }
 
@@ -43,9 +44,9 @@ fn explain(
     if local < count {
         let blade = unpack_blade(index);
         let state = unpack_state(blade, dynamics[index]);
-        let place = Place(local, count, (f32(local) + 0.5) / f32(count));
+        let place = Place(local, count, (f32(local) + 0.5) / f32(count), 1.0);
         let own = decide(blade, state, place, false);
-        let failed = own.failed | failed_with_patch(patches[patch_index], local, count);
+        let failed = own.failed | failed_with_patch(patch_index, local, count);
         decision.bits = shown(blade, own, failed);
         let advanced = select(0u, ADVANCED, bands[band_index].step == frame.step);
         // What rests wakes no one

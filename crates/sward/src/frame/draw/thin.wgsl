@@ -13,7 +13,7 @@ override SAMPLES: u32 = 1u;
 
 // How far one plant's look differs from the mean: 1 as it is, 0 not at all.
 fn contrast(width_px: f32) -> f32 {
-    let one = width_px / (1.0 + width_px);
+    let one = width_px * width_px / (width_px * width_px + 0.7);
     // Samples of one pixel have that much in common
     let in_all = one * one;
     return one * inverseSqrt(in_all + (1.0 - in_all) / f32(SAMPLES));

@@ -33,5 +33,5 @@ fn patch_lights(@builtin(global_invocation_id) thread: vec3<u32>) {
     let to_eye = -view_ray(root + up * (0.5 * field.cluster.x));
     let light = canopy_radiance(up, to_eye, lean, sun_shade(root));
     let known = f32(canopy.surfels[0].weight > 0.0);
-    patch_light[index] = vec4<f32>(light, known);
+    patch_light[index] = vec4<f32>(light * vec3<f32>(1.17, 1.14, 0.99), known);
 }

@@ -85,7 +85,7 @@ fn update(
             }
         }
         if TEST {
-            let place = Place(local, count, (f32(local) + 0.5) / f32(count));
+            let place = Place(local, count, (f32(local) + 0.5) / f32(count), 1.0);
             decision = decide(blade, state, place, (entry.x >> 31u) == 1u);
         }
     }
