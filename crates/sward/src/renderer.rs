@@ -7,7 +7,7 @@ use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
 use crate::frame::draw::mesh::vertices_by_bucket;
 use crate::frame::sweep::patches::SweepStage;
-use crate::frame::update::{Update, Work};
+use crate::frame::update::{Seen, Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
 use crate::gpu::page::Page;
@@ -91,7 +91,7 @@ impl Renderer {
         Ok(Self {
             collide: Collide::new(device, &layouts),
             cull: Cull::new(device, &layouts),
-            update: Update::new(device, &layouts),
+            update: Update::new(device),
             compact: Compact::new(device, &layouts),
             draw: Draw::new(device, &layouts, targets),
             sweep: None,
@@ -189,7 +189,7 @@ impl Renderer {
         }
         self.clock.advance(frame.dt_s);
         let chunks = self.inputs.write(device, encoder, &self.layouts, frame, &lists, &self.clock);
-        self.update.set_wind(device, &self.layouts, frame.wind.is_rare());
+        self.update.set_wind(frame.wind.is_rare());
         if !chunks.listed {
             self.wake_touched(device, encoder);
         }
@@ -211,7 +211,9 @@ impl Renderer {
             pass.set_bind_group(1, &page.group, &[]);
             pass.set_bind_group(3, &self.layouts.no_depth, &[]);
             self.collide.encode(&mut pass, page);
-            self.update.encode(&mut pass, page, &page.views[0], Work::Simulate, false);
+            let (gpu, of) = ((device, &self.layouts), (page, &page.views[0]));
+            let seen = Seen { far: false, multisampled: false };
+            self.update.encode(gpu, &mut pass, of, Work::Simulate, seen);
         }
     }
 
@@ -295,6 +297,7 @@ impl Renderer {
         view: &View,
     ) {
         let (depth, multisampled) = self.layouts.depth_group(device, view.opaque_depth);
+        let seen = Seen { far: view.technique == Technique::Continuum, multisampled };
         for page in &self.pages {
             let Some(lists) = page.views.get(index) else { continue };
             if stage == Stage::PatchCull {
@@ -307,13 +310,14 @@ impl Renderer {
             if stage == Stage::PatchCull {
                 self.encode_sweep(&mut pass, page, lists, view);
             }
-            let mut update = |work| self.update.encode(&mut pass, page, lists, work, multisampled);
+            let gpu = (device, &self.layouts);
+            let mut update = |work| self.update.encode(gpu, &mut pass, (page, lists), work, seen);
             match stage {
                 Stage::PatchCull => self.cull.encode(&mut pass, page, lists),
                 Stage::Physics => update(Work::Simulate),
                 Stage::Visibility => update(Work::Test),
                 Stage::Update => update(Work::Both),
-                Stage::Compact => self.compact.encode(&mut pass, page, lists),
+                Stage::Compact => self.compact.encode(&mut pass, page, lists, seen.far),
             }
         }
     }
