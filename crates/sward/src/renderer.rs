@@ -8,7 +8,7 @@ use crate::frame::draw::Draw;
 use crate::frame::draw::mesh::vertices_by_bucket;
 use crate::frame::light::PatchLight;
 use crate::frame::sweep::patches::SweepStage;
-use crate::frame::update::{Update, Work};
+use crate::frame::update::{Seen, Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
 use crate::gpu::page::Page;
@@ -95,7 +95,7 @@ impl Renderer {
         Ok(Self {
             collide: Collide::new(device, &layouts),
             cull: Cull::new(device, &layouts),
-            update: Update::new(device, &layouts),
+            update: Update::new(device),
             patch_light: PatchLight::new(device, &layouts),
             compact: Compact::new(device, &layouts),
             draw: Draw::new(device, &layouts, targets),
@@ -194,7 +194,7 @@ impl Renderer {
         }
         self.clock.advance(frame.dt_s);
         let chunks = self.inputs.write(device, encoder, &self.layouts, frame, &lists, &self.clock);
-        self.update.set_wind(device, &self.layouts, frame.wind.is_rare());
+        self.update.set_wind(frame.wind.is_rare());
         if !chunks.listed {
             self.wake_touched(device, encoder);
         }
@@ -216,7 +216,9 @@ impl Renderer {
             pass.set_bind_group(1, &page.group, &[]);
             pass.set_bind_group(3, &self.layouts.no_depth, &[]);
             self.collide.encode(&mut pass, page);
-            self.update.encode(&mut pass, page, &page.views[0], Work::Simulate, false);
+            let (gpu, of) = ((device, &self.layouts), (page, &page.views[0]));
+            let seen = Seen { far: false, multisampled: false };
+            self.update.encode(gpu, &mut pass, of, Work::Simulate, seen);
         }
     }
 
@@ -299,8 +301,8 @@ impl Renderer {
         index: usize,
         view: &View,
     ) {
-        let continuum = technique_of(view) == Technique::Continuum;
         let (depth, multisampled) = self.layouts.depth_group(device, view.opaque_depth);
+        let seen = Seen { far: technique_of(view) == Technique::Continuum, multisampled };
         for page in &self.pages {
             let Some(lists) = page.views.get(index) else { continue };
             if stage == Stage::PatchCull {
@@ -313,15 +315,16 @@ impl Renderer {
             if stage == Stage::PatchCull {
                 self.encode_sweep(&mut pass, page, lists, view);
             }
-            let mut update = |work| self.update.encode(&mut pass, page, lists, work, multisampled);
+            let gpu = (device, &self.layouts);
+            let mut update = |work| self.update.encode(gpu, &mut pass, (page, lists), work, seen);
             match stage {
                 Stage::PatchCull => self.cull.encode(&mut pass, page, lists),
                 Stage::Physics => update(Work::Simulate),
                 Stage::Visibility => update(Work::Test),
                 Stage::Update => update(Work::Both),
-                Stage::Light if continuum => self.patch_light.encode(&mut pass, page, lists),
+                Stage::Light if seen.far => self.patch_light.encode(&mut pass, page, lists),
                 Stage::Light => {}
-                Stage::Compact => self.compact.encode(&mut pass, page, lists),
+                Stage::Compact => self.compact.encode(&mut pass, page, lists, seen.far),
             }
         }
     }

@@ -2,13 +2,14 @@
 
 use super::bindings;
 use super::buckets::Buckets;
-use super::buffers::{filled, storage, uniform, write};
+use super::buffers::{filled, storage, uniform, write, write_at};
 use super::layout::{
     BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuSpecies, GpuView, MAX_SPECIES,
     NEAR_STRIDE, TICKS_PER_SECOND,
 };
 use super::packed::pack;
 use super::pictures::Pictures;
+use super::statistics::WORK_BYTES;
 use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
 use crate::frame::draw::pipelines::Variant;
 use crate::frame::sweep::grid::Grid;
@@ -20,6 +21,15 @@ use wgpu::BufferUsages;
 
 /// Bytes of the species table.
 pub const SPECIES_TABLE_BYTES: u64 = (MAX_SPECIES * size_of::<GpuSpecies>()) as u64;
+
+/// Bytes of an entry of `Page::work`.
+const WORK_ENTRY_BYTES: u64 = 8;
+/// Most far patches that one group of lanes runs.
+const FAR_PATCHES_A_GROUP: u32 = 32;
+/// Where in `work_size` the arguments of the dispatch over far patches begin.
+const FAR_GROUPS_AT: u64 = 20;
+/// How much of `work_size` a view begins anew.
+const VIEW_WORK_BYTES: u64 = 36;
 
 /// How long a new blade counts as asleep, so that it wakes into the wind that blows.
 const ASLEEP_AT_FIRST_S: f64 = 60.0;
@@ -82,9 +92,9 @@ pub struct Page {
     pub bands: wgpu::Buffer,
     /// Chunks of colliders near each patch.
     pub near: wgpu::Buffer,
-    /// Patches at work, and how many of their blades.
+    /// Work entries of work.wgsl: bands, then far patches.
     pub work: wgpu::Buffer,
-    /// Arguments of the dispatch over `work`, then counts.
+    /// Arguments of the dispatches over `work`, and counts, as work.wgsl numbers them.
     pub work_size: wgpu::Buffer,
     /// What `work_size` is reset to.
     work_reset: wgpu::Buffer,
@@ -119,7 +129,7 @@ fn upright_state(model: PhysicsModel) -> [u32; 2] {
 
 fn first_bands(count: usize, ticks: u32) -> Vec<GpuBand> {
     let asleep = ticks.wrapping_sub((ASLEEP_AT_FIRST_S * TICKS_PER_SECOND) as u32);
-    vec![GpuBand { ticks: asleep, ..GpuBand::zeroed() }; count]
+    vec![GpuBand { ticks: asleep, anchor_ticks: asleep, ..GpuBand::zeroed() }; count]
 }
 
 /// Group 1 of drawing.
@@ -174,9 +184,10 @@ impl Page {
         let clocks = first_bands(band_count as usize, ticks);
         let bands = data("sward.bands", bytemuck::cast_slice(&clocks), BufferUsages::STORAGE);
         let near = store("sward.near", u64::from(counts.patch_count * NEAR_STRIDE) * 4);
-        let work = store("sward.work", u64::from(counts.patch_count) * 8);
-        let work_size = storage(device, "sward.work_size", 32, BufferUsages::INDIRECT);
-        let reset = [0, counts.patch_size / BAND, 1, 0, 0, 0, 0, 0_u32];
+        let far_entries = u64::from(counts.patch_count + FAR_PATCHES_A_GROUP);
+        let work = store("sward.work", (band_count + far_entries) * WORK_ENTRY_BYTES);
+        let work_size = storage(device, "sward.work_size", WORK_BYTES, BufferUsages::INDIRECT);
+        let reset = [0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0_u32];
         let work_reset =
             data("sward.work_reset", bytemuck::cast_slice(&reset), BufferUsages::empty());
         let decisions = store("sward.decisions", band_count * u64::from(BAND) * 2);
@@ -222,22 +233,37 @@ impl Page {
 
     /// Empties the list of work and every count beside it.
     pub fn reset_all_work(&self, encoder: &mut wgpu::CommandEncoder) {
-        encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, 32);
+        encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, WORK_BYTES);
     }
 
     /// Empties the list of work for a view; the collider stage's count stays, to be reported.
     pub fn reset_view_work(&self, encoder: &mut wgpu::CommandEncoder) {
-        encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, 20);
+        encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, VIEW_WORK_BYTES);
+        // The last group of far patches may not be full
+        encoder.clear_buffer(&self.work, self.band_count() * WORK_ENTRY_BYTES, None);
     }
 
-    /// Lists every patch as work, with all its blades; the counts beside the list stay.
+    /// Lists every band as work, with all its blades; the counts beside the list stay.
     pub fn work_on_all(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         let GpuField { blade_count, patch_count, patch_size, .. } = self.field;
-        let entry = |i: u32| [i, patch_size.min(blade_count - i * patch_size)];
-        let entries: Vec<[u32; 2]> = (0..patch_count).map(entry).collect();
+        let bands_of = |patch: u32| {
+            let count = patch_size.min(blade_count - patch * patch_size);
+            (0..count.div_ceil(BAND)).map(move |band| [patch, count | band << 16])
+        };
+        let entries: Vec<[u32; 2]> = (0..patch_count).flat_map(bands_of).collect();
         write(device, encoder, &self.work, bytemuck::cast_slice(&entries));
-        let size = [patch_count, self.bands_per_patch(), 1];
+        let size = [entries.len() as u32, 1, 1];
         write(device, encoder, &self.work_size, bytemuck::cast_slice(&size));
+        write_at(device, encoder, &self.work_size, FAR_GROUPS_AT, bytemuck::bytes_of(&0_u32));
+    }
+
+    /// One group a band at work, or a few far patches.
+    pub fn dispatch_work(&self, pass: &mut wgpu::ComputePass, far: bool) {
+        pass.dispatch_workgroups_indirect(&self.work_size, if far { FAR_GROUPS_AT } else { 0 });
+    }
+
+    fn band_count(&self) -> u64 {
+        u64::from(self.field.patch_count * self.bands_per_patch())
     }
 
     /// Bands of a patch.
@@ -332,7 +358,7 @@ impl Page {
         view: &wgpu::Buffer,
         lights: &wgpu::Buffer,
     ) -> wgpu::BindGroup {
-        let list = [view, &self.bands, &self.work, &self.work_size, &self.canopy, lights];
+        let list = [view, &self.bands, &self.canopy, lights];
         bindings::buffers(device, "sward.patch_light", &layouts.patch_light, &list)
     }
 

@@ -68,7 +68,7 @@ impl Layouts {
             cull: compute("sward.cull", &[Uniform, Write, Write, Write, Read]),
             sweep: compute("sward.sweep", &[Uniform, Uniform, Write]),
             update: compute("sward.update", &[Uniform, Write, Read, Write, Read, Write]),
-            patch_light: compute("sward.patch_light", &[Uniform, Read, Read, Read, Uniform, Write]),
+            patch_light: compute("sward.patch_light", &[Uniform, Read, Uniform, Write]),
             scan: compute("sward.scan", &[Uniform, Write, Write, Write, Write, Write, Uniform]),
             compact: compute("sward.compact", &[Uniform, Read, Read, Read, Read, Write]),
             draw: draw("sward.draw", &[Uniform, Read, Uniform, Read]),

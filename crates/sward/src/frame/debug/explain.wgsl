@@ -48,7 +48,9 @@ fn explain(
         let own = decide(blade, state, place, false);
         let failed = own.failed | failed_with_patch(patch_index, local, count);
         decision.bits = shown(blade, own, failed);
-        let advanced = select(0u, ADVANCED, bands[band_index].step == frame.step);
+        let is_anchor = local < anchor_count(count);
+        let step = select(bands[band_index].step, bands[band_index].anchor_step, is_anchor);
+        let advanced = select(0u, ADVANCED, step == frame.step);
         // What rests wakes no one
         let slots = near[patch_index * NEAR_STRIDE];
         let touched = select(0u, TOUCHED, (slots >> 8u) > (slots & 0xffu));
@@ -57,7 +59,8 @@ fn explain(
     vote(lane, decision);
     workgroupBarrier();
     if lane == 0u {
-        bands[band_index].counts = array<vec4<u32>, 2>(bucket_counts(0u), bucket_counts(8u));
+        let all = vec2<u32>(0xffffffffu);
+        bands[band_index].counts = array<vec4<u32>, 2>(bucket_counts(0u, all), bucket_counts(8u, all));
     }
     if lane < BAND / 2u {
         decisions[band_index * (BAND / 2u) + lane] = atomicLoad(&packed[lane]);

@@ -30,8 +30,8 @@ fn facing_of(up: vec3<f32>, to_eye: vec3<f32>) -> Facing {
     return Facing(toward, cross(up, toward), sine);
 }
 
-// Corners 0 to 3: left and right of the bottom, left and right of the top. `sway`: where the mean
-// tip is, in heights.
+// Corners 0 to 3: left and right of the bottom, left and right of the top. `sway`: what moves the
+// top, in heights.
 fn card_corner(
     corner: u32,
     facing: Facing,
@@ -48,17 +48,13 @@ fn card_corner(
     return side - facing.toward * radius + (up + sway) * height;
 }
 
-// What the mean tip of a patch is displaced by, in heights. At rest blades lean every way, and
-// their tips are so high in the mean.
+// What moves the top of a patch's clusters, in heights: what the wind has moved its blades' tips by
+// from where they rest. At rest the tips are so high in the mean.
 fn sway_of(index: u32, up: vec3<f32>) -> vec3<f32> {
-    let band = bands[(index / field.patch_size) * bands_per_patch()];
-    let tip = vec3<f32>(band.sway_x, band.sway_y, band.sway_z);
-    let high = dot(tip, up);
-    if high <= 0.0 {
-        return vec3<f32>(0.0);
-    }
+    let sway = unpack_sway(bands[(index / field.patch_size) * bands_per_patch()].sway);
     let rest = sqrt(max(1.0 - canopy.pose.x * canopy.pose.x, 0.01));
-    return tip - up * (high - min(high / rest - 1.0, 0.0));
+    let rise = dot(sway, up);
+    return sway - up * (rise - min(rise / rest, 0.0));
 }
 
 // Which picture: one of four places, elevations and sides, the next to the view's or the one after.

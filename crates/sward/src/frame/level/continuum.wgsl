@@ -2,17 +2,10 @@
 // far off each is drawn as a cluster that stands for its share, and the others are not drawn. Which
 // anchor changes when, and which plants go first, follows from the plant alone: there is no ring.
 
-// Plants that a cluster stands for
-const CLUSTER_BLADES: u32 = 32u;
 // Share of the change over which one cluster grows
 const CLUSTER_GROWS: f32 = 0.25;
 // Share over which the anchor itself shrinks before
 const ANCHOR_SHRINKS: f32 = 0.1;
-
-// Plants of a patch of so many that may be drawn as clusters: the first of its order.
-fn anchor_count(count: u32) -> u32 {
-    return (count + CLUSTER_BLADES - 1u) / CLUSTER_BLADES;
-}
 
 // How far the change has gone where the grass is so many pixels high: 0 begins, 1 over; down to -1
 // before it.
@@ -123,6 +116,12 @@ fn kept_continuum(index: u32, home: GpuPatch, count: u32, nearest: f32) -> u32 {
     let clusters = select(0.0, ceil(min(most * f32(anchors) + 0.01, f32(anchors))), progress > 0.0);
     let singles = ceil(clamp(share * 1.001 * f32(count), 0.0, f32(count)));
     return u32(max(singles, clusters));
+}
+
+// Whether all that is left of a patch are clusters.
+fn is_clusters_only(nearest: f32) -> bool {
+    let height = field.cluster.x * pixels_per_metre(nearest);
+    return view.technique == CONTINUUM && cluster_progress(height) >= 1.0;
 }
 
 // The same where there are no clusters.

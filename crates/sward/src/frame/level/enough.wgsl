@@ -25,7 +25,11 @@ fn enough_share(blade: Blade, width_px: f32) -> f32 {
     return enough_at(abs(dot(blade.up, view_ray(blade.root))), width_px);
 }
 
-// A place of the grass, so high in it, as deep in what is drawn as it would be in all of it.
+// How much of the depth that the missing plants would make is put back where light is reckoned.
+const DEPTH_KEPT: f32 = 0.6;
+
+// A place of the grass, so high in it: fewer plants let one look deeper into it, where it is darker than
+// what all of them would show.
 fn depth_among(height_share: f32, enough: f32) -> f32 {
-    return height_share;
+    return 1.0 - (1.0 - height_share) * mix(1.0, enough, DEPTH_KEPT);
 }

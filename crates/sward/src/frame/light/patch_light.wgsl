@@ -2,21 +2,19 @@
 // on the screen are drawn in it more and more, see draw/thin.wgsl.
 
 @group(2) @binding(1) var<storage, read> bands: array<GpuBand>;
-@group(2) @binding(2) var<storage, read> work: array<vec2<u32>>;
-@group(2) @binding(3) var<storage, read> work_size: array<u32, 8>;
-@group(2) @binding(4) var<uniform> canopy: GpuCanopy;
+@group(2) @binding(2) var<uniform> canopy: GpuCanopy;
 // rgb mean radiance; a 1, or 0 where nothing is known of the field's mean
-@group(2) @binding(5) var<storage, read_write> patch_light: array<vec4<f32>>;
+@group(2) @binding(3) var<storage, read_write> patch_light: array<vec4<f32>>;
 
 // Plants of a patch, spread over it, that its place is taken from.
 const PLACES: u32 = 4u;
 
 @compute @workgroup_size(64)
 fn patch_lights(@builtin(global_invocation_id) thread: vec3<u32>) {
-    if thread.x >= work_size[0] {
+    let index = thread.x;
+    if index >= field.patch_count || !see_patch(patches[index]).visible {
         return;
     }
-    let index = work[thread.x].x & 0x7fffffffu;
     let first = index * field.patch_size;
     let places = min(PLACES, patch_blades(index));
     var up = vec3<f32>(0.0);
@@ -28,10 +26,10 @@ fn patch_lights(@builtin(global_invocation_id) thread: vec3<u32>) {
     }
     up = unit_or(up, vec3<f32>(0.0, 1.0, 0.0));
     let band = bands[index * bands_per_patch()];
-    let tip = vec3<f32>(band.sway_x, band.sway_y, band.sway_z);
-    let lean = min(length(tip - up * dot(tip, up)), 1.0);
+    let sway = unpack_sway(band.sway);
+    let lean = min(length(sway - up * dot(sway, up)), 1.0);
     let to_eye = -view_ray(root + up * (0.5 * field.cluster.x));
     let light = canopy_radiance(up, to_eye, lean, sun_shade(root));
     let known = f32(canopy.surfels[0].weight > 0.0);
-    patch_light[index] = vec4<f32>(light * vec3<f32>(1.17, 1.14, 0.99), known);
+    patch_light[index] = vec4<f32>(light, known);
 }
