@@ -7,7 +7,7 @@ use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
 use crate::frame::draw::mesh::vertices_by_bucket;
 use crate::frame::sweep::patches::SweepStage;
-use crate::frame::update::{Seen, Update, Work};
+use crate::frame::update::{Look, Motion, Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
 use crate::gpu::page::Page;
@@ -189,7 +189,11 @@ impl Renderer {
         }
         self.clock.advance(frame.dt_s);
         let chunks = self.inputs.write(device, encoder, &self.layouts, frame, &lists, &self.clock);
-        self.update.set_wind(frame.wind.is_rare());
+        self.update.set_motion(Motion {
+            paper: self.model == PhysicsModel::Paper,
+            colliders: chunks.all > 0,
+            wind_kinds: frame.wind.kinds(),
+        });
         if !chunks.listed {
             self.wake_touched(device, encoder);
         }
@@ -212,8 +216,7 @@ impl Renderer {
             pass.set_bind_group(3, &self.layouts.no_depth, &[]);
             self.collide.encode(&mut pass, page);
             let (gpu, of) = ((device, &self.layouts), (page, &page.views[0]));
-            let seen = Seen { far: false, multisampled: false };
-            self.update.encode(gpu, &mut pass, of, Work::Simulate, seen);
+            self.update.encode(gpu, &mut pass, of, Work::Simulate, Look::default());
         }
     }
 
@@ -297,7 +300,7 @@ impl Renderer {
         view: &View,
     ) {
         let (depth, multisampled) = self.layouts.depth_group(device, view.opaque_depth);
-        let seen = Seen { far: view.technique == Technique::Continuum, multisampled };
+        let look = Look::of(view, multisampled);
         for page in &self.pages {
             let Some(lists) = page.views.get(index) else { continue };
             if stage == Stage::PatchCull {
@@ -311,13 +314,15 @@ impl Renderer {
                 self.encode_sweep(&mut pass, page, lists, view);
             }
             let gpu = (device, &self.layouts);
-            let mut update = |work| self.update.encode(gpu, &mut pass, (page, lists), work, seen);
+            let mut update = |work| self.update.encode(gpu, &mut pass, (page, lists), work, look);
             match stage {
                 Stage::PatchCull => self.cull.encode(&mut pass, page, lists),
                 Stage::Physics => update(Work::Simulate),
                 Stage::Visibility => update(Work::Test),
                 Stage::Update => update(Work::Both),
-                Stage::Compact => self.compact.encode(&mut pass, page, lists, seen.far),
+                Stage::Compact => {
+                    self.compact.encode(&mut pass, page, lists, look.has_far_patches())
+                }
             }
         }
     }

@@ -121,16 +121,7 @@ fn structs() -> Vec<Expected> {
             reserved_b,
             reserved_c,
         }),
-        expected!(GpuBand {
-            step,
-            ticks,
-            culled,
-            tested,
-            counts,
-            anchor_step,
-            anchor_ticks,
-            sway
-        }),
+        expected!(GpuBand { step, ticks, culled, tested, counts, anchor_step, anchor_ticks, sway }),
         expected!(GpuBlock { buckets, counted }),
         expected!(GpuDraw { start, count, dropped, reserved }),
         expected!(GpuSurfel { normal, weight, albedo, height_share }),

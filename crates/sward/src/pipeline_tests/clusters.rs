@@ -153,7 +153,10 @@ fn a_patch_knows_how_far_the_wind_has_moved_it() {
     for (distance, far, seconds) in [(5.0, false, 0.05), (60.0, true, 0.05), (60.0, true, 30.0)] {
         let mut rig = rig(512);
         let still = Wind::default();
-        rig.step(&Frame::new(seconds, if seconds < 1.0 { &wind } else { &still }), &[from(distance)]);
+        rig.step(
+            &Frame::new(seconds, if seconds < 1.0 { &wind } else { &still }),
+            &[from(distance)],
+        );
         assert!(rig.all_work().iter().all(|entry| entry.3 == far));
         let blades = decode(&rig.field);
         let states = super::decoded::states(&blades, &rig.states(), PhysicsModel::Sward);

@@ -117,8 +117,7 @@ impl Rig {
         let size: Vec<u32> = self.read(&self.page(0).work_size);
         let entries: Vec<[u32; 2]> = self.read(&self.page(0).work);
         let (bands, far) = entries.split_at(self.bands().len());
-        let entry =
-            |e: &[u32; 2], far| (e[0] & 0x7fff_ffff, e[0] >> 31 == 1, e[1] & 0xffff, far);
+        let entry = |e: &[u32; 2], far| (e[0] & 0x7fff_ffff, e[0] >> 31 == 1, e[1] & 0xffff, far);
         let first = bands[..size[0] as usize].iter().filter(|e| e[1] >> 16 == 0);
         let mut work: Vec<_> = first.map(|e| entry(e, false)).collect();
         work.extend(far[..size[8] as usize].iter().map(|e| entry(e, true)));

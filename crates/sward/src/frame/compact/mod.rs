@@ -27,9 +27,8 @@ impl Compact {
         let module = Shader::Scan.module(device);
         let groups = [&layouts.frame, &layouts.field, &layouts.compact];
         let places = Shader::Compact.module(device);
-        let compact_of = |anchors: f64| {
-            compute(device, &places, "compact", &groups, &[("ANCHORS", anchors)])
-        };
+        let compact_of =
+            |anchors: f64| compute(device, &places, "compact", &groups, &[("ANCHORS", anchors)]);
         Self {
             scan_blocks: compute(device, &module, "scan_blocks", &scan, &[]),
             scan_totals: compute(device, &module, "scan_totals", &scan, &[]),

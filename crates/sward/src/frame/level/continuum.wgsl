@@ -72,15 +72,12 @@ fn choose_cluster(blade: Blade, size: Size, place: Place, grown: f32) -> Choice 
 
 // A single plant, where so much is left of all of them.
 fn choose_near(blade: Blade, size: Size, place: Place, left: f32) -> Choice {
-    switch species_table[blade.species].look.x {
+    switch form_of(blade.species) {
         case FORM_STRIP: { return thinned_further(choose_strip(blade, size, place), place, left); }
         case FORM_BILLBOARD: { return thinned_further(choose_band(blade, size, place), place, left); }
         default: {
-            if left >= 1.0 {
-                return choose_blade(blade, size, place);
-            }
-            let share = share_that_keeps(left * mean_kept(size.keep));
-            return choose_thinned_blade(blade, size, place, share);
+            let thinned = share_that_keeps(left * mean_kept(size.keep));
+            return choose_thinned_blade(blade, size, place, select(thinned, size.keep, left >= 1.0));
         }
     }
 }
@@ -97,21 +94,19 @@ fn thinned_further(form: Choice, place: Place, left: f32) -> Choice {
 fn choose_continuum(blade: Blade, size: Size, place: Place) -> Choice {
     let height = field.cluster.x * pixels_per_metre(size.distance);
     let progress = cluster_progress(height);
-    if progress <= -ANCHOR_SHRINKS {
-        return choose_near(blade, size, place, 1.0);
-    }
-    if place.local >= anchor_count(place.count) {
-        return choose_near(blade, size, place, 1.0 - clusters_grown(progress));
-    }
+    let is_anchor = place.local < anchor_count(place.count);
     let begins = hash01(blade.id, 41u) * (1.0 - CLUSTER_GROWS);
-    if progress > begins {
+    // Of a far patch nothing else is left
+    if ANCHORS || (is_anchor && progress > begins) {
         let grown = min((progress - begins) / CLUSTER_GROWS, 1.0);
         return choose_cluster(blade, size, place, grown);
     }
-    // The plant itself shrinks before its cluster grows
     var choice = choose_near(blade, size, place, 1.0 - clusters_grown(progress));
-    choice.fade *= clamp((begins - progress) / ANCHOR_SHRINKS, 0.0, 1.0);
-    choice.bucket = select(choice.bucket, NO_BUCKET, choice.fade <= 0.0);
+    if is_anchor {
+        // The plant itself shrinks before its cluster grows
+        choice.fade *= clamp((begins - progress) / ANCHOR_SHRINKS, 0.0, 1.0);
+        choice.bucket = select(choice.bucket, NO_BUCKET, choice.fade <= 0.0);
+    }
     return choice;
 }
 
@@ -134,7 +129,7 @@ fn kept_continuum(home: GpuPatch, count: u32, nearest: f32) -> u32 {
 // Whether all that is left of a patch are clusters.
 fn is_clusters_only(nearest: f32) -> bool {
     let height = field.cluster.x * pixels_per_metre(nearest);
-    return view.technique == CONTINUUM && cluster_progress(height) >= 1.0;
+    return technique() == CONTINUUM && cluster_progress(height) >= 1.0;
 }
 
 // The same where there are no clusters.
