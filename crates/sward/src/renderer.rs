@@ -6,6 +6,7 @@ use crate::frame::cull::Cull;
 use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
 use crate::frame::draw::mesh::vertices_by_bucket;
+use crate::frame::draw::pipelines::Variant;
 use crate::frame::light::PatchLight;
 use crate::frame::sweep::patches::SweepStage;
 use crate::frame::update::{Look, Motion, Update, Work};
@@ -74,6 +75,8 @@ pub struct Renderer {
     inputs: Inputs,
     clock: Clock,
     model: PhysicsModel,
+    /// Whether shade moves over the fields.
+    shaded: bool,
     pages: Vec<Page>,
     unbaked: Vec<Unbaked>,
     totals: Statistics,
@@ -104,6 +107,7 @@ impl Renderer {
             inputs: Inputs::new(device, &layouts),
             clock: Clock::default(),
             model: PhysicsModel::default(),
+            shaded: false,
             pages: Vec::new(),
             unbaked: Vec::new(),
             totals: Statistics::default(),
@@ -186,6 +190,7 @@ impl Renderer {
     ) -> Result<(), Error> {
         let lists = inputs::check(device, frame)?;
         self.send_pictures(encoder);
+        self.shaded = frame.light.shade.depth > 0.0;
         if frame.physics != self.model {
             self.model = frame.physics;
             for page in &self.pages {
@@ -290,8 +295,9 @@ impl Renderer {
     fn ensure_pipelines(&mut self, device: &wgpu::Device, page: usize, view: usize, by: Technique) {
         let page = &mut self.pages[page];
         let buckets = page.buckets(by);
-        page.views[view].buckets = buckets;
-        self.draw.ensure(device, page.variant, buckets);
+        let variant = Variant { shaded: self.shaded, ..page.variant };
+        (page.views[view].buckets, page.views[view].variant) = (buckets, variant);
+        self.draw.ensure(device, variant, buckets);
     }
 
     /// Encodes one stage of one view over all pages. Stages of a view go in the order of

@@ -41,6 +41,8 @@ pub struct ViewLists {
     pub capacity: u32,
     /// Which of them plants may be in.
     pub buckets: Buckets,
+    /// Which pipelines draw them.
+    pub variant: Variant,
     /// `GpuView`.
     pub view: wgpu::Buffer,
     /// Range of each bucket.
@@ -208,6 +210,7 @@ impl Page {
             variant: Variant {
                 lobed: field.species().iter().any(|s| s.shape == Shape::Dandelion),
                 tinted: !field.tints().is_empty(),
+                shaded: false,
             },
             group: bindings::buffers(device, "sward.field", &layouts.field, &shared),
             draw_group: draw_group(device, layouts, (&drawn, &bands), pictures),
@@ -391,6 +394,7 @@ impl Page {
         ViewLists {
             capacity,
             buckets: Buckets::default(),
+            variant: self.variant,
             cull: bind(
                 "sward.cull",
                 &layouts.cull,

@@ -1,7 +1,7 @@
 //! Debug views: their pipelines are made when one is first asked for.
 
 use super::draw::mesh::Mesh;
-use super::draw::pipelines::{Program, constants, form_constants, pipeline};
+use super::draw::pipelines::{Program, Variant, constants, form_constants, pipeline};
 use super::draw::topology::Topology;
 use crate::gpu::bindings::{self, Kind, compute, layout};
 use crate::gpu::buffers::{filled, storage};
@@ -95,14 +95,14 @@ fn draw_pipelines(
         immediate_size: 0,
     });
     let blade = |bucket| {
-        let mut constants = constants(bucket, targets, false);
+        let mut constants = constants(bucket, targets, Variant::default());
         constants.push(("INDICES", Topology::of(bucket).indices().len() as f64));
         let program =
             Program { module: &module, vertex: "vs_debug", fragment: "fs_debug", masked: false };
         pipeline(device, &layout, targets, program, &constants)
     };
     let cluster = |bucket| {
-        let constants = form_constants(bucket, targets, false);
+        let constants = form_constants(bucket, targets, Variant::default());
         let (vertex, fragment) = ("vs_debug_cluster", "fs_debug_cluster");
         let program = Program { module: &cluster, vertex, fragment, masked: false };
         pipeline(device, &layout, targets, program, &constants)

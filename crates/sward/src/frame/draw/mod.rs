@@ -82,7 +82,7 @@ impl Draw {
     /// Draws a page's plants of one view. Group 0 is set.
     pub(crate) fn encode(&self, pass: &mut wgpu::RenderPass, page: &Page, view: usize) {
         let Some(lists) = page.views.get(view) else { return };
-        let own = |(made, _): &&(Variant, _)| *made == page.variant;
+        let own = |(made, _): &&(Variant, _)| *made == lists.variant;
         let Some((_, pipelines)) = self.pipelines.iter().find(own) else { return };
         pass.set_bind_group(1, &page.draw_group, &[]);
         pass.set_bind_group(2, &lists.draw, &[]);

@@ -91,7 +91,7 @@ fn morphed_section(
     thin: f32,
 ) -> Section {
     var own = section(blade, knee, tip, form, corner.v, corner.u, thin);
-    if ring.bend > 0.0 {
+    if SEGMENTS > 1u && ring.bend > 0.0 {
         let step = 1.0 / f32(SEGMENTS);
         // The next level has no middle line where this is the last with a ridge: its quads are cut
         // along the diagonal, onto which the middle moves

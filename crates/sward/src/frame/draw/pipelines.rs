@@ -16,6 +16,8 @@ pub(crate) struct Variant {
     pub(crate) lobed: bool,
     /// Has a colour for each blade.
     pub(crate) tinted: bool,
+    /// Lies in moving shade.
+    pub(crate) shaded: bool,
 }
 
 /// Shader and entry points of a pipeline.
@@ -29,7 +31,11 @@ pub(crate) struct Program<'a> {
 }
 
 /// What the pipeline of a bucket of blades is made with.
-pub(crate) fn constants(bucket: usize, targets: Targets, tinted: bool) -> Vec<(&'static str, f64)> {
+pub(crate) fn constants(
+    bucket: usize,
+    targets: Targets,
+    variant: Variant,
+) -> Vec<(&'static str, f64)> {
     let topology = Topology::of(bucket);
     vec![
         ("BUCKET", bucket as f64),
@@ -37,7 +43,8 @@ pub(crate) fn constants(bucket: usize, targets: Targets, tinted: bool) -> Vec<(&
         ("RING", f64::from(topology.ring)),
         ("FLAT_TIP", f64::from(u8::from(topology.flat_tip))),
         ("VERTICES", f64::from(topology.vertices())),
-        ("TINTED", f64::from(u8::from(tinted))),
+        ("TINTED", f64::from(u8::from(variant.tinted))),
+        ("SHADED", f64::from(u8::from(variant.shaded))),
         ("SAMPLES", f64::from(targets.samples)),
     ]
 }
@@ -115,16 +122,16 @@ pub(super) fn bucket_pipeline(
             let module = &modules.get(device, Shader::DrawCluster);
             let program =
                 Program { module, vertex: "vs_cluster", fragment: "fs_cluster", masked: false };
-            let constants = form_constants(bucket, targets, variant.tinted);
+            let constants = form_constants(bucket, targets, variant);
             Some(pipeline(device, layout, targets, program, &constants))
         }
         _ if BILLBOARD_BUCKETS.contains(&bucket) => {
-            Some(billboard_pipeline(device, modules, (layout, targets), bucket))
+            Some(billboard_pipeline(device, modules, (layout, targets), variant, bucket))
         }
         _ if STRIP_BUCKETS.contains(&bucket) => {
             Some(strip_pipeline(device, modules, (layout, targets), variant, bucket))
         }
-        MODEL_BUCKET => Some(model_pipeline(device, modules, (layout, targets))),
+        MODEL_BUCKET => Some(model_pipeline(device, modules, (layout, targets), variant)),
         _ => None,
     }
 }
@@ -133,12 +140,13 @@ pub(super) fn bucket_pipeline(
 pub(crate) fn form_constants(
     bucket: usize,
     targets: Targets,
-    tinted: bool,
+    variant: Variant,
 ) -> Vec<(&'static str, f64)> {
     vec![
         ("BUCKET", bucket as f64),
         ("VERTICES", f64::from(Mesh::of(bucket).vertices)),
-        ("TINTED", f64::from(u8::from(tinted))),
+        ("TINTED", f64::from(u8::from(variant.tinted))),
+        ("SHADED", f64::from(u8::from(variant.shaded))),
         ("SAMPLES", f64::from(targets.samples)),
     ]
 }
@@ -147,9 +155,13 @@ fn model_pipeline(
     device: &wgpu::Device,
     modules: &mut Modules,
     (layout, targets): (&wgpu::PipelineLayout, Targets),
+    variant: Variant,
 ) -> wgpu::RenderPipeline {
-    let constants =
-        [("BUCKET", MODEL_BUCKET as f64), ("VERTICES", f64::from(Mesh::of(MODEL_BUCKET).vertices))];
+    let constants = [
+        ("BUCKET", MODEL_BUCKET as f64),
+        ("VERTICES", f64::from(Mesh::of(MODEL_BUCKET).vertices)),
+        ("SHADED", f64::from(u8::from(variant.shaded))),
+    ];
     let module = &modules.get(device, Shader::DrawModel);
     let program = Program { module, vertex: "vs_model", fragment: "fs_model", masked: false };
     pipeline(device, layout, targets, program, &constants)
@@ -171,7 +183,7 @@ fn blade_pipeline(
         (false, true) => (Shader::Draw, "vs_near", "fs_near"),
         (false, false) => (Shader::Draw, "vs_far", "fs_far"),
     };
-    let constants = constants(bucket, targets, variant.tinted);
+    let constants = constants(bucket, targets, variant);
     let module = &modules.get(device, shader);
     pipeline(
         device,
@@ -187,11 +199,13 @@ fn billboard_pipeline(
     device: &wgpu::Device,
     modules: &mut Modules,
     (layout, targets): (&wgpu::PipelineLayout, Targets),
+    variant: Variant,
     bucket: usize,
 ) -> wgpu::RenderPipeline {
     let constants = [
         ("BUCKET", bucket as f64),
         ("VERTICES", f64::from(Mesh::of(bucket).vertices)),
+        ("SHADED", f64::from(u8::from(variant.shaded))),
         ("PIECES", if bucket == BILLBOARD_BUCKETS[0] { 2.0 } else { 1.0 }),
         ("SAMPLES", f64::from(targets.samples)),
     ];
@@ -213,6 +227,7 @@ fn strip_pipeline(
         ("BUCKET", bucket as f64),
         ("VERTICES", f64::from(Mesh::of(bucket).vertices)),
         ("TINTED", f64::from(u8::from(variant.tinted))),
+        ("SHADED", f64::from(u8::from(variant.shaded))),
         ("SEGMENTS", f64::from(STRIP_SEGMENTS[level])),
         ("COARSE", f64::from(STRIP_SEGMENTS[1])),
         ("SAMPLES", f64::from(targets.samples)),
