@@ -85,7 +85,7 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
         + card_corner(corner, facing, blade.up, cluster.y, cluster.z, wide, sway);
     out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
     out.uv = vec2<f32>(f32(corner & 1u), f32(corner < 2u));
-    out.look = thin_look(listed.index, cluster.w * scale);
+    out.look = thin_look(listed.index, 2.0 * cluster.w * scale);
     out.texels = canopy_texels(blade.up, to_eye);
     out.haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
     out.layer = picture_of(blade.id, facing);

@@ -39,11 +39,11 @@ fn cluster_widening(cluster: vec4<f32>, scale: f32, count: u32) -> f32 {
 }
 
 // A cluster, `grown` so far.
-fn choose_cluster(blade: Blade, size: Size, place: Place, grown: f32, enough: f32) -> Choice {
+fn choose_cluster(blade: Blade, size: Size, place: Place, grown: f32) -> Choice {
     let cluster = field.cluster;
     let scale = pixels_per_metre(size.distance);
     let gone = canopy_gone(cluster.x * scale * view.detail);
-    let kept = mean_kept(cluster_share(cluster, scale)) * (1.0 - gone) * enough;
+    let kept = mean_kept(cluster_share(cluster, scale)) * (1.0 - gone);
     let rank = (f32(place.local) + 0.5) / f32(anchor_count(place.count));
     var choice: Choice;
     choice.fade = grown * rank_fade(share_that_keeps(kept), rank) * range_fade(size.distance);
@@ -73,7 +73,7 @@ fn choose_continuum(blade: Blade, size: Size, place: Place) -> Choice {
     // Of a far patch nothing else is left
     if ANCHORS || (is_anchor && progress > begins) {
         let grown = min((progress - begins) / CLUSTER_GROWS, 1.0);
-        return choose_cluster(blade, size, place, grown, enough);
+        return choose_cluster(blade, size, place, grown);
     }
     var choice = choose_near(blade, size, place, enough * (1.0 - clusters_grown(progress)));
     if is_anchor {
@@ -110,7 +110,7 @@ fn kept_continuum(index: u32, home: GpuPatch, count: u32, nearest: f32) -> u32 {
     let left = enough * (1.0 - clusters_grown(progress));
     let share = share_that_keeps(left * mean_kept(keep_share(home.max_width * scale)));
     let anchors = anchor_count(count);
-    let most = share_that_keeps(enough * mean_kept(cluster_share(cluster, scale)));
+    let most = cluster_share(cluster, scale);
     let clusters = select(0.0, ceil(min(most * f32(anchors) + 0.01, f32(anchors))), progress > 0.0);
     let singles = ceil(clamp(share * 1.001 * f32(count), 0.0, f32(count)));
     return u32(max(singles, clusters));
