@@ -124,8 +124,10 @@ fn structs() -> Vec<Expected> {
         expected!(GpuBand { step, ticks, culled, counts, tested, sway_x, sway_y, sway_z }),
         expected!(GpuBlock { buckets, counted }),
         expected!(GpuDraw { start, count, dropped, reserved }),
-        expected!(GpuSurfel { normal, weight, albedo, height_share }),
-        expected!(GpuCanopy { size, pose, tint, tint_mean, rows, surfels }),
+        expected!(GpuLook { waves, around, tilt }),
+        expected!(GpuBent { mean, first, second, across }),
+        expected!(GpuCanopyRow { shown, rest, winds }),
+        expected!(GpuCanopy { size, pose, tint, tint_mean, rows }),
         expected!(GpuSweep {
             origin,
             cell,

@@ -58,8 +58,7 @@ fn sway_of(index: u32, up: vec3<f32>) -> vec3<f32> {
     if high <= 0.0 {
         return vec3<f32>(0.0);
     }
-    let rest = sqrt(max(1.0 - canopy.pose.x * canopy.pose.x, 0.01));
-    return tip - up * (high - min(high / rest - 1.0, 0.0));
+    return tip - up * (high - min(high / max(canopy.pose.w, 0.05) - 1.0, 0.0));
 }
 
 // Which picture: one of four places, elevations and sides, the next to the view's or the one after.
@@ -89,10 +88,8 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
         + card_corner(corner, facing, blade.up, cluster.y, cluster.z, wide, sway);
     out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
     out.uv = vec2<f32>(f32(corner & 1u), f32(corner < 2u));
-    let level_sway = sway - blade.up * dot(sway, blade.up);
-    let lean = min(length(level_sway), 1.0);
     let shaded = sun_shade(blade.root);
-    var light = canopy_light(blade.up, to_eye, lean, shaded, hash01(blade.id, 52u), corner);
+    var light = canopy_light(blade.up, to_eye, sway, shaded, hash01(blade.id, 52u));
     if TINTED {
         light *= canopy_tint(unpack_color(tints[listed.index]));
     }
