@@ -94,7 +94,9 @@ impl Canopy {
     /// `canopy_coverage` take as `sway`. Zero is grass at rest.
     pub fn sway(&self, wind: Vec3) -> Vec3 {
         let strength = wind.length().min(WINDS[2]);
-        let [_, first, second, third] = shares(WINDS, strength);
+        // What it moves levels off, as this does
+        let bent = |strength: f32| strength / (strength + 0.5);
+        let [_, first, second, third] = shares(WINDS.map(bent), bent(strength));
         let [a, b, c, _] = self.gpu.pose;
         let moved = first * a + second * b + third * c;
         wind.normalize_or_zero() * moved

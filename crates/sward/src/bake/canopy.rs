@@ -7,12 +7,12 @@ use super::stand::{POSES, Posed, Stand, Stands, WINDS, level};
 use crate::gpu::layout::{GpuBent, GpuCanopy, GpuCanopyRow, GpuLook};
 use glam::Vec3;
 use rayon::prelude::*;
-use std::f32::consts::{FRAC_PI_2, PI};
+use std::f32::consts::{FRAC_PI_3, PI};
 
 /// Samples a side of a stand at rest, and in wind.
-const GRIDS: [u32; 2] = [64, 40];
-/// Where the eye is beside where the wind blows to: before it, to its left, behind it.
-const SIDES: [f32; 3] = [0.0, FRAC_PI_2, PI];
+const GRIDS: [u32; 2] = [64, 36];
+/// Angles from the eye to where the wind blows: towards the eye, two to its right, away from it.
+const SIDES: [f32; 4] = [0.0, FRAC_PI_3, 2.0 * FRAC_PI_3, PI];
 /// Looks at a row: at rest, and in each wind from each side.
 const LOOKS: usize = 1 + WINDS.len() * SIDES.len();
 
@@ -75,24 +75,32 @@ fn pose(stands: &[Stand]) -> [f32; 4] {
     [moved(0), moved(1), moved(2), rest.y.clamp(0.05, 1.2)]
 }
 
-/// From the three sides: the mean over all, and what goes with the cosine of the side and of its double.
-fn waves_of([before, aside, behind]: [GpuLook; 3], across: [[f32; 4]; 10]) -> GpuBent {
-    let each = |of: &dyn Fn([f32; 3]) -> f32| {
-        let vector =
-            |a: [f32; 4], b: [f32; 4], c: [f32; 4]| std::array::from_fn(|i| of([a[i], b[i], c[i]]));
+/// From the four sides: the mean over all, and what goes with the cosines of the side, its double and its
+/// triple; of what changes with x, what goes with the sines of the side and its double.
+fn waves_of(sides: [GpuLook; 4], across: [[[f32; 4]; 10]; 2]) -> GpuBent {
+    let each = |of: &dyn Fn([f32; 4]) -> f32| {
+        let vector = |part: &dyn Fn(&GpuLook) -> [f32; 4]| -> [f32; 4] {
+            std::array::from_fn(|i| of(std::array::from_fn(|side| part(&sides[side])[i])))
+        };
         GpuLook {
-            waves: std::array::from_fn(|i| {
-                vector(before.waves[i], aside.waves[i], behind.waves[i])
-            }),
-            around: vector(before.around, aside.around, behind.around),
-            tilt: vector(before.tilt, aside.tilt, behind.tilt),
+            waves: std::array::from_fn(|i| vector(&|look| look.waves[i])),
+            around: vector(&|look| look.around),
+            tilt: vector(&|look| look.tilt),
         }
     };
+    let [one, two] = across;
+    let odd = |sign: f32| {
+        std::array::from_fn(|i| {
+            std::array::from_fn(|k| (one[i][k] + sign * two[i][k]) / 3.0_f32.sqrt())
+        })
+    };
     GpuBent {
-        mean: each(&|[a, b, c]| 0.25 * (a + 2.0 * b + c)),
-        first: each(&|[a, _, c]| 0.5 * (a - c)),
-        second: each(&|[a, b, c]| 0.25 * (a - 2.0 * b + c)),
-        across,
+        mean: each(&|[a, b, c, d]| (a + 2.0 * (b + c) + d) / 6.0),
+        first: each(&|[a, b, c, d]| (a + b - c - d) / 3.0),
+        second: each(&|[a, b, c, d]| (a - b - c + d) / 3.0),
+        third: each(&|[a, b, c, d]| (a - 2.0 * (b - c) - d) / 6.0),
+        across: odd(1.0),
+        across_double: odd(-1.0),
     }
 }
 
@@ -100,8 +108,8 @@ fn waves_of([before, aside, behind]: [GpuLook; 3], across: [[f32; 4]; 10]) -> Gp
 fn gpu_row(row: &Row) -> GpuCanopyRow {
     let mean = |which: usize| row[which].0.mean(row[which].1);
     let wind = |wind: usize| {
-        let sides = std::array::from_fn(|side| mean(1 + wind * SIDES.len() + side));
-        waves_of(sides.map(|(look, _)| look), sides[1].1)
+        let sides: [_; 4] = std::array::from_fn(|side| mean(1 + wind * SIDES.len() + side));
+        waves_of(sides.map(|(look, _)| look), [sides[1].1, sides[2].1])
     };
     let rest = &row[0].0;
     let count = rest.count.max(1e-9);

@@ -207,7 +207,9 @@ pub struct GpuBent {
     pub mean: GpuLook,
     pub first: GpuLook,
     pub second: GpuLook,
+    pub third: GpuLook,
     pub across: [[f32; 4]; 10],
+    pub across_double: [[f32; 4]; 10],
 }
 
 /// `GpuCanopyRow` of canopy.wgsl.

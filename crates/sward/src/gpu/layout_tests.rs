@@ -125,7 +125,7 @@ fn structs() -> Vec<Expected> {
         expected!(GpuBlock { buckets, counted }),
         expected!(GpuDraw { start, count, dropped, reserved }),
         expected!(GpuLook { waves, around, tilt }),
-        expected!(GpuBent { mean, first, second, across }),
+        expected!(GpuBent { mean, first, second, third, across, across_double }),
         expected!(GpuCanopyRow { shown, rest, winds }),
         expected!(GpuCanopy { size, pose, tint, tint_mean, rows }),
         expected!(GpuSweep {

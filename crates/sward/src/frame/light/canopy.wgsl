@@ -20,14 +20,16 @@ struct GpuLook {
     tilt: vec4<f32>,
 }
 
-// In a wind: the mean over all sides that it blows from, and what goes with the cosine of the angle
-// between where it blows to and the eye, and with that of its double
+// In a wind: the mean over all sides that it blows from, and what goes with the cosines of the angle
+// between where it blows to and the eye, of its double and of its triple
 struct GpuBent {
     mean: GpuLook,
     first: GpuLook,
     second: GpuLook,
-    // Of the functions that change with x, by the sine of that angle
+    third: GpuLook,
+    // Of the functions that change with x, by the sines of that angle and of its double
     across: array<vec4<f32>, 10>,
+    across_double: array<vec4<f32>, 10>,
 }
 
 struct GpuCanopyRow {
@@ -59,9 +61,10 @@ struct CanopyView {
     row: f32,
     // Of rest and the three winds
     shares: vec4<f32>,
-    // Cosine and sine of the angle to where the wind blows
-    cosine: f32,
-    sine: f32,
+    // Cosines of the angle to where the wind blows, of its double and its triple, with 1 before them
+    cosines: vec4<f32>,
+    // Sines of the angle and its double
+    sines: vec2<f32>,
 }
 
 // Which elevation, 0 to 5, from the sine of the angle between the ray and the ground.
@@ -103,8 +106,10 @@ fn canopy_view(up: vec3<f32>, to_eye: vec3<f32>, sway: vec3<f32>) -> CanopyView 
     let sideways = dot(sway, view.right);
     let moved = sqrt(ahead * ahead + sideways * sideways);
     let each = 1.0 / max(moved, 1e-6);
-    view.cosine = ahead * each;
-    view.sine = sideways * each;
+    let c = ahead * each;
+    let double = 2.0 * c * c - 1.0;
+    view.cosines = vec4<f32>(1.0, c, double, c * (2.0 * double - 1.0));
+    view.sines = vec2<f32>(sideways * each, 2.0 * sideways * each * c);
     view.shares = canopy_shares(moved);
     return view;
 }
@@ -159,8 +164,9 @@ struct CanopySum {
 
 fn canopy_wave(row: u32, wind: u32, i: u32, view: CanopyView) -> vec4<f32> {
     return canopy.rows[row].winds[wind].mean.waves[i]
-        + canopy.rows[row].winds[wind].first.waves[i] * view.cosine
-        + canopy.rows[row].winds[wind].second.waves[i] * (2.0 * view.cosine * view.cosine - 1.0);
+        + canopy.rows[row].winds[wind].first.waves[i] * view.cosines.y
+        + canopy.rows[row].winds[wind].second.waves[i] * view.cosines.z
+        + canopy.rows[row].winds[wind].third.waves[i] * view.cosines.w;
 }
 
 fn canopy_sum(row: u32, view: CanopyView, to_sun: vec3<f32>, mirrored: vec3<f32>) -> CanopySum {
@@ -168,7 +174,6 @@ fn canopy_sum(row: u32, view: CanopyView, to_sun: vec3<f32>, mirrored: vec3<f32>
     var of_sun = canopy_basis(to_sun);
     var of_gloss = canopy_basis(mirrored);
     let bent = view.shares.x < 0.999;
-    let double = 2.0 * view.cosine * view.cosine - 1.0;
     for (var i = 0u; i < CANOPY_EVEN; i++) {
         var wave = canopy.rows[row].rest.waves[i] * view.shares.x;
         if bent {
@@ -189,16 +194,20 @@ fn canopy_sum(row: u32, view: CanopyView, to_sun: vec3<f32>, mirrored: vec3<f32>
     for (var k = 0u; k < 3u; k++) {
         let share = view.shares[k + 1u];
         sum.around += share * (canopy.rows[row].winds[k].mean.around
-            + canopy.rows[row].winds[k].first.around * view.cosine
-            + canopy.rows[row].winds[k].second.around * double);
+            + canopy.rows[row].winds[k].first.around * view.cosines.y
+            + canopy.rows[row].winds[k].second.around * view.cosines.z
+            + canopy.rows[row].winds[k].third.around * view.cosines.w);
         sum.tilt += share * (canopy.rows[row].winds[k].mean.tilt
-            + canopy.rows[row].winds[k].first.tilt * view.cosine
-            + canopy.rows[row].winds[k].second.tilt * double);
+            + canopy.rows[row].winds[k].first.tilt * view.cosines.y
+            + canopy.rows[row].winds[k].second.tilt * view.cosines.z
+            + canopy.rows[row].winds[k].third.tilt * view.cosines.w);
     }
     for (var i = 0u; i < CANOPY_ODD; i++) {
-        let wave = (canopy.rows[row].winds[0].across[i] * view.shares.y
-            + canopy.rows[row].winds[1].across[i] * view.shares.z
-            + canopy.rows[row].winds[2].across[i] * view.shares.w) * view.sine;
+        var wave = vec4<f32>(0.0);
+        for (var k = 0u; k < 3u; k++) {
+            wave += view.shares[k + 1u] * (canopy.rows[row].winds[k].across[i] * view.sines.x
+                + canopy.rows[row].winds[k].across_double[i] * view.sines.y);
+        }
         let lit = wave.rgb * of_sun[CANOPY_EVEN + i];
         sum.both += select(vec3<f32>(0.0), lit, i < CANOPY_ODD_BOTH);
         sum.apart += select(lit, vec3<f32>(0.0), i < CANOPY_ODD_BOTH);
@@ -257,12 +266,12 @@ fn canopy_light(
 
 fn canopy_row_open(row: u32, view: CanopyView) -> f32 {
     var open = canopy.rows[row].rest.around.w * view.shares.x;
-    let double = 2.0 * view.cosine * view.cosine - 1.0;
     for (var k = 0u; k < 3u; k++) {
         let share = view.shares[k + 1u];
         open += share * (canopy.rows[row].winds[k].mean.around.w
-            + canopy.rows[row].winds[k].first.around.w * view.cosine
-            + canopy.rows[row].winds[k].second.around.w * double);
+            + canopy.rows[row].winds[k].first.around.w * view.cosines.y
+            + canopy.rows[row].winds[k].second.around.w * view.cosines.z
+            + canopy.rows[row].winds[k].third.around.w * view.cosines.w);
     }
     return clamp(open, 0.0, 1.0);
 }
