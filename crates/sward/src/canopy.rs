@@ -34,6 +34,7 @@ use glam::Vec3;
 pub const WGSL: &str = concat!(
     include_str!("frame/light/light.wgsl"),
     include_str!("frame/light/canopy.wgsl"),
+    include_str!("frame/light/canopy_light.wgsl"),
     include_str!("frame/light/end.wgsl")
 );
 

@@ -6,15 +6,16 @@ use crate::frame::cull::Cull;
 use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
 use crate::frame::draw::mesh::vertices_by_bucket;
+use crate::frame::light::PatchLight;
 use crate::frame::sweep::patches::SweepStage;
-use crate::frame::update::{Update, Work};
+use crate::frame::update::{Seen, Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
 use crate::gpu::page::Page;
 use crate::gpu::quantize::species_table;
 use crate::gpu::statistics::{PageCounts, ReadBack};
 use crate::gpu::uploads::Upload;
-use crate::gpu::view::{check_view, gpu_view};
+use crate::gpu::view::{check_view, gpu_view, technique_of};
 use crate::plants::layers::PlantLayers;
 use crate::{Error, Field, Frame, PhysicsModel, Statistics, Technique, View};
 
@@ -36,7 +37,7 @@ pub(crate) use layouts::Layouts;
 pub use targets::Targets;
 
 /// One stage of a frame, for hosts that time or interleave them; [`Renderer::cull`] runs
-/// `PatchCull`, `Update` and `Compact`, fused where that saves memory traffic.
+/// `PatchCull`, `Update`, `Light` and `Compact`, fused where that saves memory traffic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stage {
@@ -48,11 +49,13 @@ pub enum Stage {
     Visibility,
     /// Physics, tests and level in one pass: the default.
     Update,
+    /// The mean light of the patches, for [`Technique::Continuum`]; others have none.
+    Light,
     /// Prefix sums and the draw list.
     Compact,
 }
 
-const FUSED: [Stage; 3] = [Stage::PatchCull, Stage::Update, Stage::Compact];
+const FUSED: [Stage; 4] = [Stage::PatchCull, Stage::Update, Stage::Light, Stage::Compact];
 
 /// Draws grown fields into a host's passes.
 #[derive(Debug)]
@@ -61,6 +64,7 @@ pub struct Renderer {
     collide: Collide,
     cull: Cull,
     update: Update,
+    patch_light: PatchLight,
     compact: Compact,
     draw: Draw,
     /// Made when a view first sweeps.
@@ -91,7 +95,8 @@ impl Renderer {
         Ok(Self {
             collide: Collide::new(device, &layouts),
             cull: Cull::new(device, &layouts),
-            update: Update::new(device, &layouts),
+            update: Update::new(device),
+            patch_light: PatchLight::new(device, &layouts),
             compact: Compact::new(device, &layouts),
             draw: Draw::new(device, &layouts, targets),
             sweep: None,
@@ -189,7 +194,7 @@ impl Renderer {
         }
         self.clock.advance(frame.dt_s);
         let chunks = self.inputs.write(device, encoder, &self.layouts, frame, &lists, &self.clock);
-        self.update.set_wind(device, &self.layouts, frame.wind.is_rare());
+        self.update.set_wind(frame.wind.is_rare());
         if !chunks.listed {
             self.wake_touched(device, encoder);
         }
@@ -211,7 +216,9 @@ impl Renderer {
             pass.set_bind_group(1, &page.group, &[]);
             pass.set_bind_group(3, &self.layouts.no_depth, &[]);
             self.collide.encode(&mut pass, page);
-            self.update.encode(&mut pass, page, &page.views[0], Work::Simulate, false);
+            let (gpu, of) = ((device, &self.layouts), (page, &page.views[0]));
+            let seen = Seen { far: false, multisampled: false };
+            self.update.encode(gpu, &mut pass, of, Work::Simulate, seen);
         }
     }
 
@@ -295,6 +302,7 @@ impl Renderer {
         view: &View,
     ) {
         let (depth, multisampled) = self.layouts.depth_group(device, view.opaque_depth);
+        let seen = Seen { far: technique_of(view) == Technique::Continuum, multisampled };
         for page in &self.pages {
             let Some(lists) = page.views.get(index) else { continue };
             if stage == Stage::PatchCull {
@@ -307,13 +315,16 @@ impl Renderer {
             if stage == Stage::PatchCull {
                 self.encode_sweep(&mut pass, page, lists, view);
             }
-            let mut update = |work| self.update.encode(&mut pass, page, lists, work, multisampled);
+            let gpu = (device, &self.layouts);
+            let mut update = |work| self.update.encode(gpu, &mut pass, (page, lists), work, seen);
             match stage {
                 Stage::PatchCull => self.cull.encode(&mut pass, page, lists),
                 Stage::Physics => update(Work::Simulate),
                 Stage::Visibility => update(Work::Test),
                 Stage::Update => update(Work::Both),
-                Stage::Compact => self.compact.encode(&mut pass, page, lists),
+                Stage::Light if seen.far => self.patch_light.encode(&mut pass, page, lists),
+                Stage::Light => {}
+                Stage::Compact => self.compact.encode(&mut pass, page, lists, seen.far),
             }
         }
     }

@@ -128,7 +128,7 @@ fn whole_frame(gpu: &Gpu, stage: &mut Stage, dt_s: f64) -> Result<f32> {
 }
 
 fn by_stage(gpu: &Gpu, stage: &mut Stage, dt_s: f64, times: &mut Times) -> Result<()> {
-    use sward::Stage::{Compact, PatchCull, Physics, Visibility};
+    use sward::Stage::{Compact, Light, PatchCull, Physics, Visibility};
     let one = |stage: &mut Stage, which| {
         time_stage(gpu, stage, |stage, encoder| {
             stage.encode_stage(encoder, which);
@@ -145,6 +145,7 @@ fn by_stage(gpu: &Gpu, stage: &mut Stage, dt_s: f64, times: &mut Times) -> Resul
     let patch_cull = one(stage, PatchCull)?;
     let physics = one(stage, Physics)?;
     let visibility = one(stage, Visibility)?;
+    let light = one(stage, Light)?;
     let compact = one(stage, Compact)?;
     let draw = time_stage(gpu, stage, |stage, encoder| {
         stage.encode_draw(encoder);
@@ -155,7 +156,7 @@ fn by_stage(gpu: &Gpu, stage: &mut Stage, dt_s: f64, times: &mut Times) -> Resul
         Ok(())
     })?;
     times.physics.push(simulate + physics);
-    times.visibility.push(patch_cull + visibility + compact);
+    times.visibility.push(patch_cull + visibility + light + compact);
     times.draw.push(opaque + draw);
     times.post.push(post);
     Ok(())

@@ -1,7 +1,7 @@
 //! What a field looks like as a whole, from each elevation, at rest and in wind from each side.
 
 use super::cluster::Clusters;
-use super::cover::{Cover, ROWS, look};
+use super::cover::{Cover, ROWS, look, sine};
 use super::harmonics::Look;
 use super::stand::{POSES, Posed, Stand, Stands, WINDS, level};
 use crate::gpu::layout::{GpuBent, GpuCanopy, GpuCanopyRow, GpuLook};
@@ -18,6 +18,8 @@ const LOOKS: usize = 1 + WINDS.len() * SIDES.len();
 
 /// What shows from an elevation, in each look, with the share of the ground that shows.
 type Row = [(Look, f32); LOOKS];
+/// Less of the ground that is open does not show in so few samples.
+const LEAST_OPEN: f32 = 5e-4;
 
 /// Looks at stands from all elevations. `clusters` gives the size of theirs.
 pub(crate) fn canopy(stands: &Stands, clusters: Option<&Clusters>) -> GpuCanopy {
@@ -118,4 +120,17 @@ fn gpu_row(row: &Row) -> GpuCanopyRow {
         rest: mean(0).0,
         winds: std::array::from_fn(wind),
     }
+}
+
+/// Blades that a ray meets on its way to the ground, in the mean, for each metre along over each metre of
+/// height, and straight down; from what is open of the ground (Poisson).
+pub(crate) fn layers(canopy: &GpuCanopy) -> [f32; 2] {
+    let met = |row: usize| -canopy.rows[row].rest.around[3].max(LEAST_OPEN).ln();
+    let above = met(ROWS - 1);
+    let aside = |row: usize| {
+        let along = (1.0 - sine(row) * sine(row)).sqrt() / sine(row);
+        ((met(row) - above) / along).max(0.0)
+    };
+    // Where all is closed the number is at least so high
+    [(0..ROWS - 1).map(aside).fold(0.0, f32::max), above]
 }

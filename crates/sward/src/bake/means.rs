@@ -40,6 +40,11 @@ fn part(field: &Field, index: usize) -> (f64, Means) {
 }
 
 impl Means {
+    /// Metres.
+    pub(crate) fn width(&self) -> f32 {
+        self.area / self.height.max(1e-6)
+    }
+
     /// Over some blades.
     pub(crate) fn over(field: &Field, blades: &[usize]) -> Self {
         let zero = [0.0_f64; 15];

@@ -20,7 +20,8 @@
 //!
 //! # What else grows with the blades
 //! Per blade 4 bytes of draw list and 2 of decisions; per 64 blades 64 bytes of clocks, counts,
-//! offsets and sway; per patch its box (48), its list of near colliders (128) and work entry (8).
+//! offsets and sway, and a work entry (8); per patch its box (48), its list of near colliders (128) and
+//! another work entry (8).
 
 use bytemuck::{Pod, Zeroable};
 
@@ -97,6 +98,9 @@ pub struct GpuField {
     pub patch_size: u32,
     pub first_id: u32,
     pub cluster: [f32; 4],
+    pub layers: [f32; 2],
+    pub reserved_a: f32,
+    pub reserved_b: f32,
 }
 
 /// `GpuPatch` of field.wgsl.
@@ -165,12 +169,12 @@ pub struct GpuView {
 pub struct GpuBand {
     pub step: u32,
     pub ticks: u32,
-    pub culled: [u32; 2],
-    pub counts: [u32; 8],
+    pub culled: u32,
     pub tested: u32,
-    pub sway_x: f32,
-    pub sway_y: f32,
-    pub sway_z: f32,
+    pub counts: [u32; 8],
+    pub anchor_step: u32,
+    pub anchor_ticks: u32,
+    pub sway: [u32; 2],
 }
 
 /// `GpuBlock` of band.wgsl.

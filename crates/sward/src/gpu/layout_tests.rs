@@ -79,7 +79,16 @@ fn structs() -> Vec<Expected> {
             map_size,
             reserved,
         }),
-        expected!(GpuField { blade_count, patch_count, patch_size, first_id, cluster }),
+        expected!(GpuField {
+            blade_count,
+            patch_count,
+            patch_size,
+            first_id,
+            cluster,
+            layers,
+            reserved_a,
+            reserved_b
+        }),
         expected!(GpuPatch { origin, edge, reach_min, cell, reach_max, max_width }),
         expected!(GpuSpecies {
             height,
@@ -121,7 +130,7 @@ fn structs() -> Vec<Expected> {
             reserved_b,
             reserved_c,
         }),
-        expected!(GpuBand { step, ticks, culled, counts, tested, sway_x, sway_y, sway_z }),
+        expected!(GpuBand { step, ticks, culled, tested, counts, anchor_step, anchor_ticks, sway }),
         expected!(GpuBlock { buckets, counted }),
         expected!(GpuDraw { start, count, dropped, reserved }),
         expected!(GpuLook { waves, around, tilt }),

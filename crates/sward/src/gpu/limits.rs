@@ -1,6 +1,6 @@
 //! Every limit of the adapter is checked before it is met.
 
-use super::layout::{MAX_PAGES, PAGE_BLADES};
+use super::layout::{BAND, MAX_PAGES, PAGE_BLADES};
 use crate::Error;
 
 fn at_least(what: &str, limit: &'static str, needed: u64, available: u64) -> Result<(), Error> {
@@ -54,7 +54,8 @@ pub fn page_blades(limits: &wgpu::Limits, patch_size: u32) -> u64 {
     let bytes = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
     let groups = u64::from(limits.max_compute_workgroups_per_dimension);
     let size = u64::from(patch_size.max(1));
-    let blades = PAGE_BLADES.min(bytes / BYTES).min(groups * size);
+    // One workgroup a band
+    let blades = PAGE_BLADES.min(bytes / BYTES).min(groups * u64::from(BAND));
     (blades / size).max(1) * size
 }
 
@@ -69,13 +70,14 @@ pub fn check_blades(limits: &wgpu::Limits, patch_size: u32, count: u64) -> Resul
     }
     let patches = count.div_ceil(MAX_PAGES).div_ceil(u64::from(patch_size.max(1)));
     let blades = patches.saturating_mul(u64::from(patch_size));
+    let bands = blades.div_ceil(BAND.into());
     let needed_bytes = blades.saturating_mul(BYTES);
     let bytes = limits.max_storage_buffer_binding_size;
     let groups = u64::from(limits.max_compute_workgroups_per_dimension);
     let candidates = [
         ("max_storage_buffer_binding_size", needed_bytes, bytes),
         ("max_buffer_size", needed_bytes, limits.max_buffer_size),
-        ("max_compute_workgroups_per_dimension", patches, groups),
+        ("max_compute_workgroups_per_dimension", bands, groups),
         ("a draw list's range of indices", blades, PAGE_BLADES),
     ];
     let passed = candidates.into_iter().find(|(_, needed, available)| needed > available);

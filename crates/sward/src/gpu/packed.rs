@@ -56,6 +56,7 @@ pub fn pack(field: &Field, first_patch: usize, patch_count: usize) -> Packed {
             patch_size: field.patch_size(),
             first_id: patches.first().map_or(0, |p| p.first),
             cluster: [0.0; 4],
+            ..bytemuck::Zeroable::zeroed()
         },
         patches: gpu_patches(field, patches, cells.as_ref()),
         grid: cells.map(|(grid, _)| grid),

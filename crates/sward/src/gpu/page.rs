@@ -2,13 +2,14 @@
 
 use super::bindings;
 use super::buckets::Buckets;
-use super::buffers::{filled, storage, uniform, write};
+use super::buffers::{filled, storage, uniform, write, write_at};
 use super::layout::{
     BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuSpecies, GpuView, MAX_SPECIES,
     NEAR_STRIDE, TICKS_PER_SECOND,
 };
 use super::packed::pack;
 use super::pictures::Pictures;
+use super::statistics::WORK_BYTES;
 use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
 use crate::frame::draw::pipelines::Variant;
 use crate::frame::sweep::grid::Grid;
@@ -20,6 +21,15 @@ use wgpu::BufferUsages;
 
 /// Bytes of the species table.
 pub const SPECIES_TABLE_BYTES: u64 = (MAX_SPECIES * size_of::<GpuSpecies>()) as u64;
+
+/// Bytes of an entry of `Page::work`.
+const WORK_ENTRY_BYTES: u64 = 8;
+/// Most far patches that one group of lanes runs.
+const FAR_PATCHES_A_GROUP: u32 = 32;
+/// Where in `work_size` the arguments of the dispatch over far patches begin.
+const FAR_GROUPS_AT: u64 = 20;
+/// How much of `work_size` a view begins anew.
+const VIEW_WORK_BYTES: u64 = 36;
 
 /// How long a new blade counts as asleep, so that it wakes into the wind that blows.
 const ASLEEP_AT_FIRST_S: f64 = 60.0;
@@ -46,6 +56,9 @@ pub struct ViewLists {
     pub cull: wgpu::BindGroup,
     /// Group 2 of the update.
     pub update: wgpu::BindGroup,
+    /// Group 2 of the patches' mean light.
+    pub patch_light: wgpu::BindGroup,
+    lights: wgpu::Buffer,
     /// Group 2 of the scan.
     pub scan: wgpu::BindGroup,
     /// Group 2 of compaction.
@@ -79,15 +92,17 @@ pub struct Page {
     pub bands: wgpu::Buffer,
     /// Chunks of colliders near each patch.
     pub near: wgpu::Buffer,
-    /// Patches at work, and how many of their blades.
+    /// Work entries of work.wgsl: bands, then far patches.
     pub work: wgpu::Buffer,
-    /// Arguments of the dispatch over `work`, then counts.
+    /// Arguments of the dispatches over `work`, and counts, as work.wgsl numbers them.
     pub work_size: wgpu::Buffer,
     /// What `work_size` is reset to.
     work_reset: wgpu::Buffer,
     /// Bucket, morph and fade of each blade, two a word.
     pub decisions: wgpu::Buffer,
     blocks: wgpu::Buffer,
+    /// `GpuCanopy`.
+    canopy: wgpu::Buffer,
     /// Bindings 0 to 5 of drawing.
     drawn: [wgpu::Buffer; 6],
     /// Group 1 of the compute stages.
@@ -114,7 +129,7 @@ fn upright_state(model: PhysicsModel) -> [u32; 2] {
 
 fn first_bands(count: usize, ticks: u32) -> Vec<GpuBand> {
     let asleep = ticks.wrapping_sub((ASLEEP_AT_FIRST_S * TICKS_PER_SECOND) as u32);
-    vec![GpuBand { ticks: asleep, ..GpuBand::zeroed() }; count]
+    vec![GpuBand { ticks: asleep, anchor_ticks: asleep, ..GpuBand::zeroed() }; count]
 }
 
 /// Group 1 of drawing.
@@ -169,9 +184,10 @@ impl Page {
         let clocks = first_bands(band_count as usize, ticks);
         let bands = data("sward.bands", bytemuck::cast_slice(&clocks), BufferUsages::STORAGE);
         let near = store("sward.near", u64::from(counts.patch_count * NEAR_STRIDE) * 4);
-        let work = store("sward.work", u64::from(counts.patch_count) * 8);
-        let work_size = storage(device, "sward.work_size", 32, BufferUsages::INDIRECT);
-        let reset = [0, counts.patch_size / BAND, 1, 0, 0, 0, 0, 0_u32];
+        let far_entries = u64::from(counts.patch_count + FAR_PATCHES_A_GROUP);
+        let work = store("sward.work", (band_count + far_entries) * WORK_ENTRY_BYTES);
+        let work_size = storage(device, "sward.work_size", WORK_BYTES, BufferUsages::INDIRECT);
+        let reset = [0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0_u32];
         let work_reset =
             data("sward.work_reset", bytemuck::cast_slice(&reset), BufferUsages::empty());
         let decisions = store("sward.decisions", band_count * u64::from(BAND) * 2);
@@ -210,28 +226,44 @@ impl Page {
             work_reset,
             decisions,
             blocks,
+            canopy: pictures.canopy.clone(),
             drawn,
         }
     }
 
     /// Empties the list of work and every count beside it.
     pub fn reset_all_work(&self, encoder: &mut wgpu::CommandEncoder) {
-        encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, 32);
+        encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, WORK_BYTES);
     }
 
     /// Empties the list of work for a view; the collider stage's count stays, to be reported.
     pub fn reset_view_work(&self, encoder: &mut wgpu::CommandEncoder) {
-        encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, 20);
+        encoder.copy_buffer_to_buffer(&self.work_reset, 0, &self.work_size, 0, VIEW_WORK_BYTES);
+        // The last group of far patches may not be full
+        encoder.clear_buffer(&self.work, self.band_count() * WORK_ENTRY_BYTES, None);
     }
 
-    /// Lists every patch as work, with all its blades; the counts beside the list stay.
+    /// Lists every band as work, with all its blades; the counts beside the list stay.
     pub fn work_on_all(&self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
         let GpuField { blade_count, patch_count, patch_size, .. } = self.field;
-        let entry = |i: u32| [i, patch_size.min(blade_count - i * patch_size)];
-        let entries: Vec<[u32; 2]> = (0..patch_count).map(entry).collect();
+        let bands_of = |patch: u32| {
+            let count = patch_size.min(blade_count - patch * patch_size);
+            (0..count.div_ceil(BAND)).map(move |band| [patch, count | band << 16])
+        };
+        let entries: Vec<[u32; 2]> = (0..patch_count).flat_map(bands_of).collect();
         write(device, encoder, &self.work, bytemuck::cast_slice(&entries));
-        let size = [patch_count, self.bands_per_patch(), 1];
+        let size = [entries.len() as u32, 1, 1];
         write(device, encoder, &self.work_size, bytemuck::cast_slice(&size));
+        write_at(device, encoder, &self.work_size, FAR_GROUPS_AT, bytemuck::bytes_of(&0_u32));
+    }
+
+    /// One group a band at work, or a few far patches.
+    pub fn dispatch_work(&self, pass: &mut wgpu::ComputePass, far: bool) {
+        pass.dispatch_workgroups_indirect(&self.work_size, if far { FAR_GROUPS_AT } else { 0 });
+    }
+
+    fn band_count(&self) -> u64 {
+        u64::from(self.field.patch_count * self.bands_per_patch())
     }
 
     /// Bands of a patch.
@@ -280,12 +312,18 @@ impl Page {
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         layouts: &Layouts,
-        cluster: [f32; 4],
+        (cluster, layers): ([f32; 4], [f32; 2]),
         pictures: &Pictures,
     ) {
         self.field.cluster = cluster;
+        self.field.layers = layers;
         write(device, encoder, &self.drawn[0], bytemuck::bytes_of(&self.field));
         self.draw_group = draw_group(device, layouts, (&self.drawn, &self.bands), pictures);
+        self.canopy = pictures.canopy.clone();
+        for index in 0..self.views.len() {
+            let (view, lights) = (&self.views[index].view, &self.views[index].lights);
+            self.views[index].patch_light = self.light_group(device, layouts, view, lights);
+        }
     }
 
     /// Which draw lists its plants may be in, in a view of that technique.
@@ -313,6 +351,17 @@ impl Page {
         }
     }
 
+    fn light_group(
+        &self,
+        device: &wgpu::Device,
+        layouts: &Layouts,
+        view: &wgpu::Buffer,
+        lights: &wgpu::Buffer,
+    ) -> wgpu::BindGroup {
+        let list = [view, &self.bands, &self.canopy, lights];
+        bindings::buffers(device, "sward.patch_light", &layouts.patch_light, &list)
+    }
+
     fn view_lists(
         &self,
         device: &wgpu::Device,
@@ -326,7 +375,8 @@ impl Page {
         let view = uniform(device, "sward.view", size_of::<GpuView>() as u64);
         let list = store("sward.list", u64::from(capacity) * 4, none);
         let draws_bytes = (BUCKETS * size_of::<GpuDraw>()) as u64;
-        let draws = store("sward.draws", draws_bytes, none);
+        let draws = store("sward.draws", draws_bytes, BufferUsages::UNIFORM);
+        let lights = store("sward.patch_lights", u64::from(self.field.patch_count) * 16, none);
         let indirect = store("sward.indirect", BUCKETS as u64 * 20, BufferUsages::INDIRECT);
         let counted = store("sward.counted", 32, none);
         let bind =
@@ -347,8 +397,10 @@ impl Page {
             update: bind("sward.update", &layouts.update, &update),
             scan: bind("sward.scan", &layouts.scan, &scan),
             compact: bind("sward.compact", &layouts.compact, &compact),
-            draw: bind("sward.draw", &layouts.draw, &[&view, &list, &draws]),
-            bytes: list.size(),
+            draw: bind("sward.draw", &layouts.draw, &[&view, &list, &draws, &lights]),
+            bytes: list.size() + lights.size(),
+            patch_light: self.light_group(device, layouts, &view, &lights),
+            lights,
             #[cfg(test)]
             list,
             view,

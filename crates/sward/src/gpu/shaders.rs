@@ -14,6 +14,7 @@ const FIELD: &str = part!("shared/field.wgsl");
 const STATE: &str = part!("shared/state.wgsl");
 const VIEW: &str = part!("shared/view.wgsl");
 const BAND: &str = part!("shared/band.wgsl");
+const WORK: &str = part!("shared/work.wgsl");
 const DRAWS: &str = part!("shared/draws.wgsl");
 const DEPTH_SINGLE: &str = part!("shared/depth_single.wgsl");
 const DEPTH_MULTISAMPLED: &str = part!("shared/depth_multisampled.wgsl");
@@ -32,6 +33,7 @@ const PATCH: &str = part!("frame/cull/patch.wgsl");
 const CULL: &str = part!("frame/cull/cull.wgsl");
 const LEVEL: &str = part!("frame/level/level.wgsl");
 const FORM: &str = part!("frame/level/form.wgsl");
+const ENOUGH: &str = part!("frame/level/enough.wgsl");
 const CONTINUUM: &str = part!("frame/level/continuum.wgsl");
 const STRIPS: &str = part!("frame/level/strips.wgsl");
 const BANDS: &str = part!("frame/level/bands.wgsl");
@@ -40,6 +42,7 @@ const EXPLAIN: &str = part!("frame/debug/explain.wgsl");
 const DEBUG_COLORS: &str = part!("frame/debug/colors.wgsl");
 const DEBUG_CLUSTER: &str = part!("frame/debug/cluster.wgsl");
 const DEBUG: &str = part!("frame/debug/debug.wgsl");
+const TASK: &str = part!("frame/update/task.wgsl");
 const UPDATE: &str = part!("frame/update/update.wgsl");
 const SCAN: &str = part!("frame/compact/scan.wgsl");
 const COMPACT: &str = part!("frame/compact/compact.wgsl");
@@ -47,7 +50,10 @@ const LIGHT: &str = part!("frame/light/light.wgsl");
 const SHADE: &str = part!("frame/light/shade.wgsl");
 const SUNLIGHT: &str = part!("frame/light/sunlight.wgsl");
 const CANOPY: &str = part!("frame/light/canopy.wgsl");
+const CANOPY_LIGHT: &str = part!("frame/light/canopy_light.wgsl");
 const END: &str = part!("frame/light/end.wgsl");
+const PATCH_LIGHT: &str = part!("frame/light/patch_light.wgsl");
+const THIN: &str = part!("frame/draw/thin.wgsl");
 const CLUSTER: &str = part!("frame/draw/cluster.wgsl");
 const PLANT: &str = part!("frame/draw/plant.wgsl");
 const PICTURES: &str = part!("frame/draw/pictures.wgsl");
@@ -78,6 +84,8 @@ pub enum Shader {
     Update,
     /// The same, reading a multisampled depth.
     UpdateMultisampled,
+    /// The mean light of patches.
+    PatchLight,
     /// Prefix sums.
     Scan,
     /// The draw list.
@@ -110,11 +118,12 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
         Self::UpdateMultisampled,
+        Self::PatchLight,
         Self::Scan,
         Self::Compact,
         Self::Draw,
@@ -137,6 +146,7 @@ impl Shader {
             Self::Collide => "sward.collide",
             Self::Cull => "sward.cull",
             Self::Update | Self::UpdateMultisampled => "sward.update",
+            Self::PatchLight => "sward.patch_light",
             Self::Scan => "sward.scan",
             Self::Compact => "sward.compact",
             Self::Draw
@@ -153,27 +163,35 @@ impl Shader {
 
     fn parts(self) -> Vec<&'static str> {
         let light = [SHADE, SUNLIGHT, LIGHT];
-        let blade =
-            [&[STATE, DRAWS, VIEW, LEVEL][..], &light, &[PLANT, OUTLINE, BLADE_POINT, DRAW]];
+        let thin = [CANOPY, PLANT, THIN];
+        let blade = [
+            &[STATE, DRAWS, VIEW, LEVEL][..],
+            &light,
+            &thin,
+            &[ENOUGH, OUTLINE, BLADE_POINT, DRAW],
+        ];
         let draw = blade.concat();
-        let level = [LEVEL, END, FORM, CONTINUUM, STRIP_LOOK, STRIPS, BANDS];
+        let level = [LEVEL, END, FORM, ENOUGH, CONTINUUM, STRIP_LOOK, STRIPS, BANDS];
         let plant =
             [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
         let plant = plant.concat();
         let cluster =
-            [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &[CANOPY, PLANT, PICTURES, CLUSTER]];
+            [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &thin, &[PICTURES, CLUSTER]];
         let cluster = cluster.concat();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];
-        let update = [&motion[..], &level, &[TESTS, DECIDE, UPDATE]].concat();
+        let update = [&motion[..], &level, &[TESTS, WORK, TASK, DECIDE, UPDATE]].concat();
         let explain = [&[STATE, BAND, VIEW][..], &level, &[TESTS, DECIDE, PATCH, EXPLAIN]].concat();
         let rest: &[&[&str]] = match self {
-            Self::Collide => &[&[PRIMITIVE, COLLIDE]],
-            Self::Cull => &[&[BAND, VIEW], &level, &[PATCH, CULL]],
+            Self::Collide => &[&[BAND, WORK, PRIMITIVE, COLLIDE]],
+            Self::Cull => &[&[BAND, WORK, VIEW], &level, &[PATCH, CULL]],
             Self::Update => &[&[DEPTH_SINGLE], &collide, &update],
             Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &collide, &update],
+            Self::PatchLight => {
+                &[&[BAND, VIEW], &level, &light, &[CANOPY, CANOPY_LIGHT, PATCH, PATCH_LIGHT]]
+            }
             Self::Scan => &[&[BAND, DRAWS, VIEW, SCAN]],
-            Self::Compact => &[&[BAND, VIEW, COMPACT]],
+            Self::Compact => &[&[BAND, WORK, TASK, VIEW, COMPACT]],
             Self::Draw => &[&draw],
             Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
             Self::DrawBillboard => &[&plant, &[LOOK, QUADS, BILLBOARD]],

@@ -14,7 +14,7 @@ pub const COUNTED_BYTES: u64 = 32;
 /// Bytes of the `draws` buffer.
 pub const DRAWS_BYTES: u64 = (BUCKETS * size_of::<GpuDraw>()) as u64;
 /// Bytes of the `work_size` buffer.
-pub const WORK_BYTES: u64 = 32;
+pub const WORK_BYTES: u64 = 48;
 
 const FREE: u8 = 0;
 const PENDING: u8 = 1;
@@ -185,9 +185,10 @@ fn sum_pages(words: &[u32], vertices: &[u32; BUCKETS]) -> Statistics {
             sum.vertices += count(draw[1]) * count(*per_blade);
             sum.dropped += count(draw[2]);
         }
-        sum.patches_visible += count(work[0]);
+        // As work.wgsl numbers them
+        sum.patches_visible += count(work[3]);
         sum.blades_visible += count(work[4]);
-        sum.patches_crowded += count(work[5]);
+        sum.patches_crowded += count(work[9]);
     }
     sum
 }

@@ -11,12 +11,12 @@ pub const LEAST_WIDTH_PX: f32 = 1.4;
 
 /// Mean height of the grass, pixels at detail 1, where blades begin to turn into clusters, and where
 /// all have.
-pub const CLUSTER_HEIGHT_PX: [f32; 2] = [12.5, 7.0];
+pub const CLUSTER_HEIGHT_PX: [f32; 2] = [20.0, 12.0];
 /// Clusters are thinned and widened to this many pixels at detail 1.
 pub const LEAST_CLUSTER_PX: f32 = 6.0;
 /// Heights count so many times where segments are chosen, beside those of `Technique::Blades`: what
 /// clusters save far away is spent on curves near by.
-pub const FINER_LEVELS: f32 = 1.5;
+pub const FINER_LEVELS: f32 = 1.3;
 
 pub const FRUSTUM: u32 = 1;
 pub const DISTANCE: u32 = 2;
@@ -122,6 +122,11 @@ pub fn focal_px(view: &View) -> f32 {
         .max(clip.x_axis.x.abs() * view.size[0] as f32 * 0.5)
 }
 
+/// A forced level is one of single blades.
+pub fn technique_of(view: &View) -> Technique {
+    if view.level.is_some() { Technique::Blades } else { view.technique }
+}
+
 /// The uniform of a view that [`check_view`] let pass.
 pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
     let clip_from_world = view.clip_from_view * view.view_from_world;
@@ -132,8 +137,7 @@ pub fn gpu_view(view: &View, capacity: u32) -> GpuView {
     let eye: Vec3 = world_from_view.w_axis.truncate();
     let bands = view.bands;
     let detail = view.detail.clamp(1e-3, 1e6);
-    // A forced level is one of single blades
-    let technique = if view.level.is_some() { Technique::Blades } else { view.technique };
+    let technique = technique_of(view);
     GpuView {
         clip_from_world: clip_from_world.to_cols_array_2d(),
         eye: eye.extend(if perspective { 1.0 } else { 0.0 }).to_array(),

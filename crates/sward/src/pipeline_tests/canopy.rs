@@ -164,7 +164,7 @@ fn canopy_light_is_the_mean_of_the_blades() {
             worst = worst.max(off);
         }
     }
-    assert!(worst < 0.02, "{worst}");
+    assert!(worst < 0.03, "{worst}");
 }
 
 /// `Canopy::coverage` is the shader's.

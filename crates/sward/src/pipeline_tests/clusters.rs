@@ -6,9 +6,10 @@ use super::rig::Rig;
 use super::scenes::{breeze, look, no_culling, random_field};
 use crate::frame::cull::twin::pixels_per_metre;
 use crate::frame::level::continuum_twin::{Plant, anchor_count, choose};
-use crate::gpu::layout::{BLADE_BUCKETS, CLUSTER_BUCKET};
+use crate::frame::physics::twin::rest_tip;
+use crate::gpu::layout::{BLADE_BUCKETS, CLUSTER_BUCKET, GpuBand};
 use crate::gpu::view::gpu_view;
-use crate::{Culling, DebugView, Frame, Technique, View};
+use crate::{Culling, DebugView, Frame, Gravity, PhysicsModel, Technique, View, Wind};
 use glam::{Vec3, Vec4};
 
 /// From so far away, with no test but that by size.
@@ -52,8 +53,8 @@ fn blades_turn_into_clusters_and_clusters_into_ground() {
         }
         last_clusters = clusters;
     }
-    // One band of each patch is enough
-    assert!(fewest <= 4096 / 256 * 64, "{fewest} blades are run");
+    // The anchors are enough
+    assert!(fewest <= 4096 / 32, "{fewest} blades are run");
     assert!(seen.iter().all(|s| *s) && last_clusters == 0, "{seen:?}, {last_clusters}");
 }
 
@@ -138,19 +139,64 @@ fn still_frames_are_equal_and_saved_ones_too() {
     assert!(draw(&mut rig, 0) == first);
 }
 
-/// The mean tip of each patch, which moves its clusters.
+fn sway(band: &GpuBand) -> Vec3 {
+    let axis = |bits: u32| f32::from(bits as u16 as i16) * (2.0 / 32767.0);
+    let [xy, z] = band.sway;
+    Vec3::new(axis(xy), axis(xy >> 16), axis(z))
+}
+
+/// What the wind moves the anchors of each patch by, near and far, which moves its clusters; nothing
+/// where there is none.
 #[test]
-fn a_patch_knows_its_mean_tip() {
-    let mut rig = rig(512);
-    rig.step(&Frame::new(0.05, &breeze()), &[from(20.0)]);
-    let blades = decode(&rig.field);
-    let model = crate::PhysicsModel::Sward;
-    let states = super::decoded::states(&blades, &rig.states(), model);
-    for (band, first) in rig.bands().iter().step_by(4).zip((0..512).step_by(256)) {
-        let tips = states[first..first + 64].iter().map(|state| state.tip.as_vec3());
-        let mean = tips.sum::<Vec3>() / 64.0;
-        let own = Vec3::new(band.sway_x, band.sway_y, band.sway_z);
-        assert!(own.distance(mean) < 1e-3, "{own} is not {mean}");
+fn a_patch_knows_how_far_the_wind_has_moved_it() {
+    let wind = breeze();
+    for (distance, far, seconds) in [(5.0, false, 0.05), (60.0, true, 0.05), (60.0, true, 30.0)] {
+        let mut rig = rig(512);
+        let still = Wind::default();
+        rig.step(
+            &Frame::new(seconds, if seconds < 1.0 { &wind } else { &still }),
+            &[from(distance)],
+        );
+        assert!(rig.all_work().iter().all(|entry| entry.3 == far));
+        let blades = decode(&rig.field);
+        let states = super::decoded::states(&blades, &rig.states(), PhysicsModel::Sward);
+        for (band, first) in rig.bands().iter().step_by(4).zip((0..512).step_by(256)) {
+            let displaced = (first..first + 8).map(|i| {
+                (states[i].tip - rest_tip(&blades[i].physics, &Gravity::default())).as_vec3()
+            });
+            let mean = displaced.sum::<Vec3>() / 8.0;
+            let own = sway(band);
+            assert!(own.distance(mean) < 1e-3, "{own} is not {mean}");
+            assert_eq!(mean.length() < 1e-3, seconds > 1.0, "{mean}");
+        }
+    }
+}
+
+/// Of a patch whose anchors alone were run the others keep their own time, and all catch up.
+#[test]
+fn blades_that_were_far_catch_up() {
+    let (mut near, mut other) = (rig(1024), rig(1024));
+    let mut wind = breeze();
+    for step in 0..90 {
+        wind.advance(0.02);
+        let frame = Frame::new(0.02, &wind);
+        near.step(&frame, &[from(5.0)]);
+        other.step(&frame, &[from(if step % 60 < 50 { 60.0 } else { 5.0 })]);
+        let moved = other.statistics().blades_moved;
+        assert_eq!(moved, if step % 60 < 50 { 1024 / 32 } else { 1024 });
+        if step == 30 {
+            // A near view in the same step: the anchors have moved, and move no more
+            let [a, b] = [&near, &other].map(Rig::states);
+            assert!((0..1024).all(|i| (a[i] == b[i]) == (i % 256 < 8)));
+            other.cull(&[from(5.0)]);
+            assert_eq!(other.statistics().blades_moved, 1024);
+            assert!((0..1024).step_by(256).all(|i| other.states()[i..i + 8] == b[i..i + 8]));
+        }
+    }
+    let blades = decode(&near.field);
+    let tips = |rig: &Rig| super::decoded::states(&blades, &rig.states(), PhysicsModel::Sward);
+    for (a, b) in tips(&near).iter().zip(tips(&other)) {
+        assert!(a.tip.distance(b.tip) < 0.03, "{} is not {}", a.tip, b.tip);
     }
 }
 

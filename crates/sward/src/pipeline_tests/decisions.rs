@@ -98,8 +98,7 @@ fn compare_blades(rig: &Rig, view: &GpuView, bits: &[[u32; 2]], tally: &mut Tall
         tally.grades += usize::from(bucket == own.bucket && bucket != 15 && off);
     }
     for (band, own) in bands.iter().zip(&counts) {
-        let [a, b] = band.culled;
-        for (gpu, own) in [a & 0xffff, a >> 16, b & 0xffff, b >> 16].iter().zip(own) {
+        for (gpu, own) in band.culled.to_le_bytes().map(u32::from).iter().zip(own) {
             tally.counts += gpu.abs_diff(*own) as usize;
         }
     }
@@ -140,8 +139,7 @@ fn culled(statistics: &Statistics) -> [u64; 4] {
 
 fn culled_in_bands(rig: &Rig) -> [u64; 4] {
     rig.bands().iter().fold([0; 4], |sum, band| {
-        let [a, b] = band.culled;
-        let own = [a & 0xffff, a >> 16, b & 0xffff, b >> 16];
+        let own = band.culled.to_le_bytes();
         std::array::from_fn(|i| sum[i] + u64::from(own[i]))
     })
 }

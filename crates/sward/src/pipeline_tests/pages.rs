@@ -78,8 +78,8 @@ fn too_many_blades_are_an_error_that_says_how_many_fit() {
 #[test]
 fn a_page_holds_what_binding_dispatch_and_index_hold() {
     let limits = wgpu::Limits::default();
-    assert_eq!(page_blades(&limits, 256), 1 << 22);
-    assert_eq!(page_blades(&limits, 64), 65_535 * 64, "one workgroup a patch");
+    assert_eq!(page_blades(&limits, 64), 65_535 * 64, "one workgroup a band");
+    assert_eq!(page_blades(&limits, 256), 65_532 * 64, "whole patches");
     let few = wgpu::Limits { max_storage_buffer_binding_size: 16 * 1000, ..limits.clone() };
     assert_eq!(page_blades(&few, 256), 768, "whole patches");
     // What binds is what the error names

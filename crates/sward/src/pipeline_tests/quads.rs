@@ -55,7 +55,7 @@ fn tell_bands(@builtin(global_invocation_id) thread: vec3<u32>) {
     var size: Size;
     size.distance = at.x;
     size.keep = at.y;
-    let choice = choose_plant(blade, size, Place(0u, 1u, at.z));
+    let choice = choose_plant(blade, size, Place(0u, 1u, at.z, 1.0));
     told[thread.x] = vec4<f32>(f32(choice.bucket), choice.morph, choice.fade, choice.widened);
 }
 

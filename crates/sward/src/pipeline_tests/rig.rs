@@ -1,5 +1,6 @@
 //! A renderer with one field: stepped, culled and read back.
 
+use crate::frame::level::continuum_twin::anchor_count;
 use crate::gpu::layout::{BAND, GpuBand, GpuDraw};
 use crate::gpu::page::{Page, ViewLists};
 use crate::gpu::test_device;
@@ -110,15 +111,25 @@ impl Rig {
         self.read(&self.page(0).bands)
     }
 
-    /// Patches at work in page 0, in order: index, whether wholly inside, blades dispatched.
-    pub fn work(&self) -> Vec<(u32, bool, u32)> {
+    /// Patches at work in page 0, in order: index, whether wholly inside, blades that are kept, and
+    /// whether only its anchors are run.
+    pub fn all_work(&self) -> Vec<(u32, bool, u32, bool)> {
         let size: Vec<u32> = self.read(&self.page(0).work_size);
-        let mut entries: Vec<[u32; 2]> = self.read(&self.page(0).work);
-        entries.truncate(size[0] as usize);
-        let mut work: Vec<_> =
-            entries.iter().map(|e| (e[0] & 0x7fff_ffff, e[0] >> 31 == 1, e[1])).collect();
+        let entries: Vec<[u32; 2]> = self.read(&self.page(0).work);
+        let (bands, far) = entries.split_at(self.bands().len());
+        let entry = |e: &[u32; 2], far| (e[0] & 0x7fff_ffff, e[0] >> 31 == 1, e[1] & 0xffff, far);
+        let first = bands[..size[0] as usize].iter().filter(|e| e[1] >> 16 == 0);
+        let mut work: Vec<_> = first.map(|e| entry(e, false)).collect();
+        work.extend(far[..size[8] as usize].iter().map(|e| entry(e, true)));
         work.sort_unstable();
         work
+    }
+
+    /// The same where no patch is far.
+    pub fn work(&self) -> Vec<(u32, bool, u32)> {
+        let work = self.all_work();
+        assert!(work.iter().all(|entry| !entry.3));
+        work.iter().map(|(patch, inside, kept, _)| (*patch, *inside, *kept)).collect()
     }
 
     /// What was decided for each blade of page 0: none for a blade that was not dispatched.
@@ -126,10 +137,11 @@ impl Rig {
         let field = self.page(0).field;
         let all: Vec<u16> = self.read(&self.page(0).decisions);
         let mut decided = vec![None; field.blade_count as usize];
-        for (patch, _, kept) in self.work() {
+        for (patch, _, kept, far) in self.all_work() {
             let first = patch * field.patch_size;
-            let end = (first + kept.div_ceil(BAND) * BAND).min(field.blade_count);
-            for index in (first..end).map(|i| i as usize) {
+            let count = field.patch_size.min(field.blade_count - first);
+            let run = if far { anchor_count(count) } else { kept.div_ceil(BAND) * BAND };
+            for index in (first..first + run.min(count)).map(|i| i as usize) {
                 decided[index] = Some(all[index]);
             }
         }

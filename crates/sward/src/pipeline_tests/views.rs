@@ -44,7 +44,9 @@ fn single_stages_do_what_the_fused_ones_do() {
         single.simulate(&frame);
         single.submit(|renderer, (device, _), encoder| {
             renderer.prepare_view(device, encoder, 1, &view).expect("a camera");
-            for stage in [Stage::PatchCull, Stage::Physics, Stage::Visibility, Stage::Compact] {
+            for stage in
+                [Stage::PatchCull, Stage::Physics, Stage::Visibility, Stage::Light, Stage::Compact]
+            {
                 renderer.encode_stage(device, encoder, stage, 1, &view);
             }
         });

@@ -1,7 +1,7 @@
 //! What is baked of each field, when a view first needs it.
 
 use super::{Layouts, Renderer};
-use crate::bake::canopy::canopy;
+use crate::bake::canopy::{canopy, layers};
 use crate::bake::cluster::clusters;
 use crate::bake::stand::Stands;
 use crate::gpu::page::Page;
@@ -39,14 +39,15 @@ impl Unbaked {
         let clusters = clusters(&self.stands);
         let canopy = canopy(&self.stands, Some(&clusters));
         let [radius, height, mean_height, _] = canopy.size;
-        let size = [mean_height, radius, height, 0.0];
+        let size = [mean_height, radius, height, self.stands.means.width()];
         let (cluster_color, color) = clusters.color.texture(device, "sward.cluster_color");
         let (cluster_shape, shape) = clusters.shape.texture(device, "sward.cluster_shape");
         color.iter().chain(&shape).for_each(|upload| upload.record(encoder));
+        let layers = layers(&canopy);
         let canopy = Pictures::canopy_buffer(device, &canopy);
         let pictures = Pictures { cluster_color, cluster_shape, canopy, ..self.pictures };
         for page in pages.get_mut(self.pages).into_iter().flatten() {
-            page.set_baked(device, encoder, layouts, size, &pictures);
+            page.set_baked(device, encoder, layouts, (size, layers), &pictures);
         }
     }
 }

@@ -1,19 +1,38 @@
 // What is kept for each run of 64 blades: the unit of a workgroup.
 
 struct GpuBand {
-    // Step and time when its blades were last advanced
+    // Step and time when its blades were last advanced, but for anchors
     step: u32,
     ticks: u32,
-    // Blades that failed a test, two a word: orientation, frustum | distance, occlusion
-    culled: vec2<u32>,
+    // Blades that failed a test, 8 bits each: orientation, frustum, distance, occlusion
+    culled: u32,
+    // Tests against primitives made in that step
+    tested: u32,
     // Survivors by bucket, two a word; after the scan, their offset in the block of 256 bands
     counts: array<vec4<u32>, 2>,
-    // Tests against primitives made
-    tested: u32,
-    // Of a patch's first band: mean of its blades' tips when they were last advanced, in heights
-    sway_x: f32,
-    sway_y: f32,
-    sway_z: f32,
+    // Of a patch's first band: step and time when its anchors were last advanced
+    anchor_step: u32,
+    anchor_ticks: u32,
+    // Likewise: what the wind has moved their tips by in the mean, see `pack_sway`
+    sway: vec2<u32>,
+}
+
+// In heights; 16 bits an axis, up to 2.
+fn pack_sway(sway: vec3<f32>) -> vec2<u32> {
+    let half = 0.5 * sway;
+    return vec2<u32>(pack2x16snorm(half.xy), pack2x16snorm(vec2<f32>(half.z, 0.0)));
+}
+
+fn unpack_sway(bits: vec2<u32>) -> vec3<f32> {
+    return 2.0 * vec3<f32>(unpack2x16snorm(bits.x), unpack2x16snorm(bits.y).x);
+}
+
+// Plants that a cluster stands for.
+const CLUSTER_BLADES: u32 = 32u;
+
+// Plants of a patch of so many that may be drawn as clusters: the first of its order.
+fn anchor_count(count: u32) -> u32 {
+    return (count + CLUSTER_BLADES - 1u) / CLUSTER_BLADES;
 }
 
 // Bands of one block of the scan.

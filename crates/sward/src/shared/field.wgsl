@@ -6,9 +6,14 @@ struct GpuField {
     patch_size: u32,
     // Index in the field of the page's first blade
     first_id: u32,
-    // Mean length of the field's blades; half width and height of a cluster, metres; all 0 where none
-    // is baked
+    // Mean length of the field's blades; half width and height of a cluster; mean width of the blades,
+    // metres; all 0 where none is baked
     cluster: vec4<f32>,
+    // Blades that a ray meets on its way to the ground, in the mean: x a level one, for each metre on the
+    // ground over metre of height that it takes, y one from straight above; 0 where it is not known
+    layers: vec2<f32>,
+    reserved_a: f32,
+    reserved_b: f32,
 }
 
 struct GpuPatch {

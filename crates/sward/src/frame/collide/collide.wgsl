@@ -5,8 +5,7 @@
 // place; then a chunk and its two words of bits a slot
 @group(2) @binding(0) var<storage, read_write> near: array<u32>;
 @group(2) @binding(1) var<storage, read_write> work: array<vec2<u32>>;
-// Dispatch size in words 0 to 2; word 4 visible blades, word 5 patches whose list is full
-@group(2) @binding(2) var<storage, read_write> work_size: array<atomic<u32>, 8>;
+@group(2) @binding(2) var<storage, read_write> work_size: array<atomic<u32>, 12>;
 
 struct Bounds {
     low: vec3<f32>,
@@ -110,10 +109,14 @@ fn collide(@builtin(global_invocation_id) thread: vec3<u32>) {
     near[list + 1u] = rest;
     // What rests wakes no one
     if moving {
-        let slot = atomicAdd(&work_size[0], 1u);
-        work[slot] = vec2<u32>(index, patch_blades(index));
+        let count = patch_blades(index);
+        let groups = (count + BAND - 1u) / BAND;
+        let slot = atomicAdd(&work_size[BAND_GROUPS], groups);
+        for (var b = 0u; b < groups; b++) {
+            work[slot + b] = work_entry(index, false, count, b);
+        }
     }
     if rest < frame.chunk_count {
-        atomicAdd(&work_size[5], 1u);
+        atomicAdd(&work_size[PATCHES_CROWDED], 1u);
     }
 }

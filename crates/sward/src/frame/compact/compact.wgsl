@@ -14,16 +14,11 @@ fn compact(
     @builtin(workgroup_id) group: vec3<u32>,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let entry = work[group.x];
-    let first = group.y * BAND;
-    if first >= entry.y {
-        return;
-    }
-    let patch_index = entry.x & 0x7fffffffu;
-    let band = patch_index * bands_per_patch() + group.y;
-    let pair = decisions[band * (BAND / 2u) + (lane >> 1u)];
-    let decision = (pair >> (16u * (lane & 1u))) & 0xffffu;
-    let bucket = decision & 15u;
+    let task = task_of(group.x, lane);
+    let band = task_band(task);
+    let pair = decisions[(band * BAND + task.local % BAND) / 2u];
+    let decision = (pair >> (16u * (task.local & 1u))) & 0xffffu;
+    let bucket = select(NO_BUCKET, decision & 15u, task.given);
     let word = lane >> 5u;
     let bit = 1u << (lane & 31u);
     if bucket != NO_BUCKET {
@@ -33,14 +28,15 @@ fn compact(
     if bucket == NO_BUCKET {
         return;
     }
-    var rank = countOneBits(atomicLoad(&masks[2u * bucket + word]) & (bit - 1u));
+    let beside = lanes_beside(lane);
+    var rank = countOneBits(atomicLoad(&masks[2u * bucket + word]) & beside[word] & (bit - 1u));
     if word == 1u {
-        rank += countOneBits(atomicLoad(&masks[2u * bucket]));
+        rank += countOneBits(atomicLoad(&masks[2u * bucket]) & beside.x);
     }
     let in_block = (bands[band].counts[bucket / 8u][(bucket / 2u) % 4u] >> (16u * (bucket & 1u))) & 0xffffu;
     let place = blocks[band / BLOCK].buckets[bucket] + in_block + rank;
     if place < view.capacity {
-        let index = patch_index * field.patch_size + first + lane;
+        let index = task.patch_index * field.patch_size + task.local;
         list[place] = index | ((decision >> 4u) << 22u);
     }
 }

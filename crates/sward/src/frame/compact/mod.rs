@@ -17,7 +17,8 @@ pub(crate) const SCAN_BLADE_INDICES_BYTES: u64 = 64;
 pub(crate) struct Compact {
     scan_blocks: wgpu::ComputePipeline,
     scan_totals: wgpu::ComputePipeline,
-    compact: wgpu::ComputePipeline,
+    /// Of bands, and of far patches.
+    compact: [wgpu::ComputePipeline; 2],
 }
 
 impl Compact {
@@ -25,22 +26,35 @@ impl Compact {
         let scan = [&layouts.frame, &layouts.field, &layouts.scan];
         let module = Shader::Scan.module(device);
         let groups = [&layouts.frame, &layouts.field, &layouts.compact];
+        let places = Shader::Compact.module(device);
+        let compact_of =
+            |anchors: f64| compute(device, &places, "compact", &groups, &[("ANCHORS", anchors)]);
         Self {
             scan_blocks: compute(device, &module, "scan_blocks", &scan, &[]),
             scan_totals: compute(device, &module, "scan_totals", &scan, &[]),
-            compact: compute(device, &Shader::Compact.module(device), "compact", &groups, &[]),
+            compact: [0.0, 1.0].map(compact_of),
         }
     }
 
-    /// Groups 0 and 1 are set.
-    pub(crate) fn encode(&self, pass: &mut wgpu::ComputePass, page: &Page, lists: &ViewLists) {
+    /// `far`: whether the view may have far patches. Groups 0 and 1 are set.
+    pub(crate) fn encode(
+        &self,
+        pass: &mut wgpu::ComputePass,
+        page: &Page,
+        lists: &ViewLists,
+        far: bool,
+    ) {
         pass.set_bind_group(2, &lists.scan, &[]);
         pass.set_pipeline(&self.scan_blocks);
         pass.dispatch_workgroups(page.block_count(), 1, 1);
         pass.set_pipeline(&self.scan_totals);
         pass.dispatch_workgroups(1, 1, 1);
-        pass.set_pipeline(&self.compact);
         pass.set_bind_group(2, &lists.compact, &[]);
-        pass.dispatch_workgroups_indirect(&page.work_size, 0);
+        for (pipeline, far_ones) in self.compact.iter().zip([false, true]) {
+            if far || !far_ones {
+                pass.set_pipeline(pipeline);
+                page.dispatch_work(pass, far_ones);
+            }
+        }
     }
 }

@@ -22,6 +22,17 @@ var<workgroup> high_sums: array<vec4<u32>, 256>;
 const COUNTED: u32 = 8u;
 var<workgroup> failed: array<atomic<u32>, 8>;
 
+// Blades of a band that were advanced in this step: all, or the anchors only.
+fn blades_moved(band: u32) -> u32 {
+    let first = (band % bands_per_patch()) * BAND;
+    let count = patch_blades(band / bands_per_patch());
+    if bands[band].step == frame.step {
+        return min(max(count, first) - first, BAND);
+    }
+    let anchors = first == 0u && bands[band].anchor_step == frame.step;
+    return select(0u, anchor_count(count), anchors);
+}
+
 @compute @workgroup_size(256)
 fn scan_blocks(
     @builtin(workgroup_id) group: vec3<u32>,
@@ -33,15 +44,14 @@ fn scan_blocks(
     if index < band_count {
         own = bands[index].counts;
         let culled = bands[index].culled;
-        atomicAdd(&failed[0], culled.x & 0xffffu);
-        atomicAdd(&failed[1], culled.x >> 16u);
-        atomicAdd(&failed[2], culled.y & 0xffffu);
-        atomicAdd(&failed[3], culled.y >> 16u);
-        if bands[index].step == frame.step {
+        atomicAdd(&failed[0], culled & 0xffu);
+        atomicAdd(&failed[1], (culled >> 8u) & 0xffu);
+        atomicAdd(&failed[2], (culled >> 16u) & 0xffu);
+        atomicAdd(&failed[3], culled >> 24u);
+        let moved = blades_moved(index);
+        if moved > 0u {
             atomicAdd(&failed[4], bands[index].tested);
-            let first = (index % bands_per_patch()) * BAND;
-            let blades = max(patch_blades(index / bands_per_patch()), first) - first;
-            atomicAdd(&failed[5], min(blades, BAND));
+            atomicAdd(&failed[5], moved);
         }
     }
     // 256 bands of 64 blades: a half word holds the sum

@@ -2,7 +2,7 @@
 
 @group(2) @binding(1) var<storage, read_write> bands: array<GpuBand>;
 @group(2) @binding(2) var<storage, read_write> work: array<vec2<u32>>;
-@group(2) @binding(3) var<storage, read_write> work_size: array<atomic<u32>, 8>;
+@group(2) @binding(3) var<storage, read_write> work_size: array<atomic<u32>, 12>;
 
 // First row and rows of each column of cells, where the view sweeps
 @group(2) @binding(4) var<storage, read> columns: array<vec2<u32>>;
@@ -11,6 +11,12 @@
 fn see_swept(home: GpuPatch) -> Seen {
     let rows = columns[home.cell >> 16u];
     return Seen((home.cell & 0xffffu) - rows.x < rows.y, false);
+}
+
+fn list_far(entry: vec2<u32>) {
+    let slot = atomicAdd(&work_size[FAR_PATCHES], 1u);
+    work[first_far_entry() + slot] = entry;
+    atomicMax(&work_size[FAR_GROUPS], slot / far_patches_a_group() + 1u);
 }
 
 @compute @workgroup_size(64)
@@ -33,7 +39,7 @@ fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
     }
     var kept = 0u;
     if seen.visible {
-        kept = kept_blades(home, count, nearest);
+        kept = kept_blades(index, home, count, nearest);
     }
     for (var b = 0u; b < bands_per_patch(); b++) {
         let band = index * bands_per_patch() + b;
@@ -43,12 +49,20 @@ fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
             thinned = min(count - first, BAND);
         }
         bands[band].counts = array<vec4<u32>, 2>();
-        bands[band].culled = vec2<u32>(0u, thinned);
+        bands[band].culled = thinned << 16u;
     }
     if !seen.visible {
         return;
     }
-    atomicAdd(&work_size[4], count);
-    let slot = atomicAdd(&work_size[0], 1u);
-    work[slot] = vec2<u32>(index | (u32(seen.inside) << 31u), kept);
+    atomicAdd(&work_size[PATCHES_VISIBLE], 1u);
+    atomicAdd(&work_size[BLADES_VISIBLE], count);
+    if is_clusters_only(nearest) {
+        list_far(work_entry(index, seen.inside, kept, 0u));
+        return;
+    }
+    let groups = (kept + BAND - 1u) / BAND;
+    let slot = atomicAdd(&work_size[BAND_GROUPS], groups);
+    for (var b = 0u; b < groups; b++) {
+        work[slot + b] = work_entry(index, seen.inside, kept, b);
+    }
 }

@@ -23,14 +23,14 @@ fn box_in_frustum(low: vec3<f32>, high: vec3<f32>) -> Seen {
 }
 
 // Blades of the patch's order that any of its points may keep.
-fn kept_blades(home: GpuPatch, count: u32, nearest: f32) -> u32 {
+fn kept_blades(index: u32, home: GpuPatch, count: u32, nearest: f32) -> u32 {
     if !has(CULL_DISTANCE) || has(CULL_PAPER) {
         return count;
     }
     switch view.technique {
         case STRIPS: { return kept_strips(home, count, nearest); }
         case BILLBOARDS: { return kept_bands(home, count, nearest); }
-        case CONTINUUM: { return kept_continuum(home, count, nearest); }
+        case CONTINUUM: { return kept_continuum(index, home, count, nearest); }
         default: { return kept_as_blades(home, count, nearest); }
     }
 }

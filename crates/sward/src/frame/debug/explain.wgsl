@@ -12,10 +12,11 @@ const ADVANCED: u32 = 16u;
 const TOUCHED: u32 = 32u;
 
 // Failed tests of a patch as a whole, and of a blade beyond the prefix that it keeps.
-fn failed_with_patch(home: GpuPatch, local: u32, count: u32) -> u32 {
+fn failed_with_patch(index: u32, local: u32, count: u32) -> u32 {
+    let home = patches[index];
     let nearest = nearest_of(home);
     var failed = select(0u, 2u, !see_patch(home).visible);
-    let too_far = is_too_far(nearest) || local >= kept_blades(home, count, nearest);
+    let too_far = is_too_far(nearest) || local >= kept_blades(index, home, count, nearest);
     return failed | select(0u, 4u, too_far);
 }
 
@@ -43,11 +44,13 @@ fn explain(
     if local < count {
         let blade = unpack_blade(index);
         let state = unpack_state(blade, dynamics[index]);
-        let place = Place(local, count, (f32(local) + 0.5) / f32(count));
+        let place = Place(local, count, (f32(local) + 0.5) / f32(count), 1.0);
         let own = decide(blade, state, place, false);
-        let failed = own.failed | failed_with_patch(patches[patch_index], local, count);
+        let failed = own.failed | failed_with_patch(patch_index, local, count);
         decision.bits = shown(blade, own, failed);
-        let advanced = select(0u, ADVANCED, bands[band_index].step == frame.step);
+        let is_anchor = local < anchor_count(count);
+        let step = select(bands[band_index].step, bands[band_index].anchor_step, is_anchor);
+        let advanced = select(0u, ADVANCED, step == frame.step);
         // What rests wakes no one
         let slots = near[patch_index * NEAR_STRIDE];
         let touched = select(0u, TOUCHED, (slots >> 8u) > (slots & 0xffu));
@@ -56,7 +59,8 @@ fn explain(
     vote(lane, decision);
     workgroupBarrier();
     if lane == 0u {
-        bands[band_index].counts = array<vec4<u32>, 2>(bucket_counts(0u), bucket_counts(8u));
+        let all = vec2<u32>(0xffffffffu);
+        bands[band_index].counts = array<vec4<u32>, 2>(bucket_counts(0u, all), bucket_counts(8u, all));
     }
     if lane < BAND / 2u {
         decisions[band_index * (BAND / 2u) + lane] = atomicLoad(&packed[lane]);

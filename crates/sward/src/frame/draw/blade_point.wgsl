@@ -31,6 +31,8 @@ struct BladePoint {
     up: vec3<f32>,
     height_share: f32,
     root_open: f32,
+    // The mean that a thin blade is drawn towards, and how far it differs
+    look: vec4<f32>,
     // 0 upright, 1 flat
     lean: f32,
     // Place across, 0 to 1
@@ -91,14 +93,17 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     out.position = position;
     out.normal = normal + cut.side * ((corner.u - 0.5) * 1.4 * form.x);
     // Both are quadratic in v, so that `bend` moves them, too, onto the next level's edges
-    out.albedo = blade_color(blade, corner.v * (1.5 - 0.5 * corner.v) - 0.5 * ring.bend);
+    let enough = enough_share(blade, width_px);
+    let tone = corner.v * (1.5 - 0.5 * corner.v) - 0.5 * ring.bend;
+    out.albedo = blade_color(blade, depth_among(tone, enough));
     out.up = blade.up;
     out.root_open = form.z;
+    out.look = thin_look(listed.index, width_px);
     out.u = corner.u;
     out.thin = thin;
     out.shape = u32(form.w);
     // A blade at rest runs so along its curve parameter
-    out.height_share = corner.v * (2.0 - corner.v) - ring.bend;
+    out.height_share = depth_among(corner.v * (2.0 - corner.v) - ring.bend, enough);
     out.lean = lean_of(blade, state.tip);
     return out;
 }

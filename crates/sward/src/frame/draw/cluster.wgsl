@@ -2,14 +2,13 @@
 // runs from the cylinder's near foot to its far top, so that it covers what the cylinder does on the
 // screen from any elevation, and never goes under the ground.
 
-override SAMPLES: u32 = 1u;
-
-@group(1) @binding(12) var<uniform> canopy: GpuCanopy;
-
 struct ClusterVertex {
     @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
-    @location(1) @interpolate(perspective, centroid) light: vec3<f32>,
+    // rgb the mean; a how far texels differ from it
+    @location(1) @interpolate(flat) look: vec4<f32>,
+    // Mean of the texels that show
+    @location(5) @interpolate(flat) texels: vec3<f32>,
     @location(2) @interpolate(flat) haze: f32,
     @location(3) @interpolate(flat) layer: u32,
     @location(4) @interpolate(flat) seed: u32,
@@ -31,8 +30,8 @@ fn facing_of(up: vec3<f32>, to_eye: vec3<f32>) -> Facing {
     return Facing(toward, cross(up, toward), sine);
 }
 
-// Corners 0 to 3: left and right of the bottom, left and right of the top. `sway`: where the mean
-// tip is, in heights.
+// Corners 0 to 3: left and right of the bottom, left and right of the top. `sway`: what moves the
+// top, in heights.
 fn card_corner(
     corner: u32,
     facing: Facing,
@@ -49,16 +48,12 @@ fn card_corner(
     return side - facing.toward * radius + (up + sway) * height;
 }
 
-// What the mean tip of a patch is displaced by, in heights. At rest blades lean every way, and
-// their tips are so high in the mean.
+// What moves the top of a patch's clusters, in heights: what the wind has moved its blades' tips by
+// from where they rest. At rest the tips are so high in the mean.
 fn sway_of(index: u32, up: vec3<f32>) -> vec3<f32> {
-    let band = bands[(index / field.patch_size) * bands_per_patch()];
-    let tip = vec3<f32>(band.sway_x, band.sway_y, band.sway_z);
-    let high = dot(tip, up);
-    if high <= 0.0 {
-        return vec3<f32>(0.0);
-    }
-    return tip - up * (high - min(high / max(canopy.pose.w, 0.05) - 1.0, 0.0));
+    let sway = unpack_sway(bands[(index / field.patch_size) * bands_per_patch()].sway);
+    let rise = dot(sway, up);
+    return sway - up * (rise - min(rise / max(canopy.pose.w, 0.05), 0.0));
 }
 
 // Which picture: one of four places, elevations and sides, the next to the view's or the one after.
@@ -81,19 +76,16 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
     let to_eye = -view_ray(blade.root + blade.up * (0.5 * cluster.z));
     let facing = facing_of(blade.up, to_eye);
     let sway = sway_of(listed.index, blade.up);
+    let scale = pixels_per_metre(distance);
     let count = patch_blades(listed.index / field.patch_size);
-    let wide = listed.fade * cluster_widening(cluster, pixels_per_metre(distance), count);
+    let wide = listed.fade * cluster_widening(cluster, scale, count);
     let corner = vertex % VERTICES;
     let position = blade.root
         + card_corner(corner, facing, blade.up, cluster.y, cluster.z, wide, sway);
     out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
     out.uv = vec2<f32>(f32(corner & 1u), f32(corner < 2u));
-    let shaded = sun_shade(blade.root);
-    var light = canopy_light(blade.up, to_eye, sway, shaded, hash01(blade.id, 52u));
-    if TINTED {
-        light *= canopy_tint(unpack_color(tints[listed.index]));
-    }
-    out.light = light;
+    out.look = thin_look(listed.index, cluster.w * scale);
+    out.texels = canopy_texels(blade.up, to_eye);
     out.haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
     out.layer = picture_of(blade.id, facing);
     out.seed = hash_u32(blade.id);
@@ -140,6 +132,7 @@ fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
     if samples == 0u {
         discard;
     }
-    let color = texel.rgb * texel.rgb * in.light;
+    let own = in.look.rgb * texel.rgb * texel.rgb / in.texels;
+    let color = as_shown(own, in.look);
     return ClusterPixel(vec4<f32>(mix(color, frame.haze.rgb, in.haze), 1.0), samples);
 }

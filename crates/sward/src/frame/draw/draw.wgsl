@@ -12,6 +12,7 @@ struct NearVertex {
     @location(4) @interpolate(flat) up: vec3<f32>,
     @location(5) @interpolate(flat) root_open: f32,
     @location(6) @interpolate(flat) lean: f32,
+    @location(7) @interpolate(flat) look: vec4<f32>,
 }
 
 struct FarVertex {
@@ -29,7 +30,8 @@ fn lit(point: BladePoint) -> vec3<f32> {
     surface.root_open = point.root_open;
     surface.lean = point.lean;
     surface.shaded = sun_shade(point.position);
-    return with_haze(shade_blade(surface, to_eye), distance_to(point.position));
+    let color = as_shown(shade_blade(surface, to_eye), point.look);
+    return with_haze(color, distance_to(point.position));
 }
 
 @vertex
@@ -51,6 +53,7 @@ fn vs_near(
     out.up = point.up;
     out.root_open = point.root_open;
     out.lean = point.lean;
+    out.look = point.look;
     return out;
 }
 
@@ -64,6 +67,7 @@ fn fs_near(in: NearVertex) -> @location(0) vec4<f32> {
     point.height_share = in.height_share;
     point.root_open = in.root_open;
     point.lean = in.lean;
+    point.look = in.look;
     return vec4<f32>(lit(point), 1.0);
 }
 

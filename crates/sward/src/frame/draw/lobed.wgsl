@@ -9,7 +9,8 @@ struct LobedNearVertex {
     @location(4) @interpolate(flat) up: vec3<f32>,
     @location(5) @interpolate(flat) root_open: f32,
     @location(6) @interpolate(flat) lean: f32,
-    @location(7) @interpolate(flat) lobed: u32,
+    @location(7) @interpolate(flat) look: vec4<f32>,
+    @location(8) @interpolate(flat) lobed: u32,
 }
 
 struct LobedFarVertex {
@@ -54,6 +55,7 @@ fn vs_near_lobed(
     out.up = point.up;
     out.root_open = point.root_open;
     out.lean = point.lean;
+    out.look = point.look;
     out.lobed = u32(point.shape == LOBED);
     return out;
 }
@@ -72,6 +74,7 @@ fn fs_near_lobed(in: LobedNearVertex) -> Cut {
     point.height_share = in.place.x;
     point.root_open = in.root_open;
     point.lean = in.lean;
+    point.look = in.look;
     return Cut(vec4<f32>(lit(point), 1.0), samples);
 }
 

@@ -2,8 +2,6 @@
 // towards the root, a blunt end. It is tested at each pixel, so that the lobes do not depend on how
 // many segments the blade has.
 
-override SAMPLES: u32 = 1u;
-
 const STALK: f32 = 0.1;
 // Waves of the outline above the stalk: five lobes, the last cut short by the tip
 const LOBE_WAVES: f32 = 4.8;

@@ -171,9 +171,7 @@ fn blade_pipeline(
         (false, true) => (Shader::Draw, "vs_near", "fs_near"),
         (false, false) => (Shader::Draw, "vs_far", "fs_far"),
     };
-    let mut constants = constants(bucket, targets, variant.tinted);
-    // The plain module knows no samples
-    constants.retain(|(name, _)| *name != "SAMPLES" || lobed);
+    let constants = constants(bucket, targets, variant.tinted);
     let module = &modules.get(device, shader);
     pipeline(
         device,

@@ -11,7 +11,7 @@ override TINTED: bool = false;
 // The colour of the surface at each root, where TINTED
 @group(1) @binding(5) var<storage, read> tints: array<u32>;
 @group(2) @binding(1) var<storage, read> list: array<u32>;
-@group(2) @binding(2) var<storage, read> draws: array<GpuDraw, 16>;
+@group(2) @binding(2) var<uniform> draws: array<GpuDraw, 16>;
 
 // Behind the near plane: where vertices go that nothing shows of.
 const HIDDEN: vec4<f32> = vec4<f32>(0.0, 0.0, -1.0, 1.0);

@@ -66,7 +66,7 @@ fn choose_plant(blade: Blade, size: Size, place: Place) -> Choice {
     choice.fade = 1.0;
     if has(CULL_DISTANCE) && !has(CULL_PAPER) {
         let end = clamp((1.0 - size.distance / (view.bands.z * stretch)) * 10.0, 0.0, 1.0);
-        choice.fade = rank_fade(share, place.rank) * range_fade(size.distance) * end;
+        choice.fade = rank_fade(thinned(share, place.left), place.rank) * range_fade(size.distance) * end;
         if choice.fade <= 0.0 {
             choice.bucket = NO_BUCKET;
         }

@@ -2,17 +2,10 @@
 // far off each is drawn as a cluster that stands for its share, and the others are not drawn. Which
 // anchor changes when, and which plants go first, follows from the plant alone: there is no ring.
 
-// Plants that a cluster stands for
-const CLUSTER_BLADES: u32 = 32u;
 // Share of the change over which one cluster grows
 const CLUSTER_GROWS: f32 = 0.25;
 // Share over which the anchor itself shrinks before
 const ANCHOR_SHRINKS: f32 = 0.1;
-
-// Plants of a patch of so many that may be drawn as clusters: the first of its order.
-fn anchor_count(count: u32) -> u32 {
-    return (count + CLUSTER_BLADES - 1u) / CLUSTER_BLADES;
-}
 
 // How far the change has gone where the grass is so many pixels high: 0 begins, 1 over; down to -1
 // before it.
@@ -34,22 +27,6 @@ fn clusters_grown(change: f32) -> f32 {
     return (whole + (growing * growing - yet * yet) / (2.0 * CLUSTER_GROWS)) / last;
 }
 
-// What `rank_fade` leaves of all plants in the mean.
-fn mean_kept(share: f32) -> f32 {
-    return 1.0 / widening(share);
-}
-
-// The share that leaves so much: the inverse of `mean_kept`.
-fn share_that_keeps(mean: f32) -> f32 {
-    let half = 1.0 - 0.5 * FADE_SHARE;
-    if mean <= half {
-        return mean / half;
-    }
-    let shy = 1.0 - FADE_SHARE;
-    let b = shy + FADE_SHARE * (1.0 - mean);
-    return (b - sqrt(max(b * b - shy * shy, 0.0))) / (shy * shy);
-}
-
 // How many of the clusters of this size are kept, as a share that goes beyond 1 up close.
 fn cluster_share(cluster: vec4<f32>, scale: f32) -> f32 {
     return max(2.0 * cluster.y * scale / view.least_cluster, 1e-3);
@@ -62,11 +39,11 @@ fn cluster_widening(cluster: vec4<f32>, scale: f32, count: u32) -> f32 {
 }
 
 // A cluster, `grown` so far.
-fn choose_cluster(blade: Blade, size: Size, place: Place, grown: f32) -> Choice {
+fn choose_cluster(blade: Blade, size: Size, place: Place, grown: f32, enough: f32) -> Choice {
     let cluster = field.cluster;
     let scale = pixels_per_metre(size.distance);
     let gone = canopy_gone(cluster.x * scale * view.detail);
-    let kept = mean_kept(cluster_share(cluster, scale)) * (1.0 - gone);
+    let kept = mean_kept(cluster_share(cluster, scale)) * (1.0 - gone) * enough;
     let rank = (f32(place.local) + 0.5) / f32(anchor_count(place.count));
     var choice: Choice;
     choice.fade = grown * rank_fade(share_that_keeps(kept), rank) * range_fade(size.distance);
@@ -79,63 +56,72 @@ fn choose_cluster(blade: Blade, size: Size, place: Place, grown: f32) -> Choice 
 
 // A single plant, where so much is left of all of them.
 fn choose_near(blade: Blade, size: Size, place: Place, left: f32) -> Choice {
+    let own = Place(place.local, place.count, place.rank, left);
     switch species_table[blade.species].look.x {
-        case FORM_STRIP: { return thinned_further(choose_strip(blade, size, place), place, left); }
-        case FORM_BILLBOARD: { return thinned_further(choose_band(blade, size, place), place, left); }
-        default: {
-            if left >= 1.0 {
-                return choose_blade(blade, size, place);
-            }
-            let share = share_that_keeps(left * mean_kept(size.keep));
-            return choose_thinned_blade(blade, size, place, share);
-        }
+        case FORM_STRIP: { return choose_strip(blade, size, own); }
+        case FORM_BILLBOARD: { return choose_band(blade, size, own); }
+        default: { return choose_blade(blade, size, own); }
     }
-}
-
-fn thinned_further(form: Choice, place: Place, left: f32) -> Choice {
-    var choice = form;
-    if left < 1.0 {
-        choice.fade *= rank_fade(share_that_keeps(left), place.rank);
-        choice.bucket = select(choice.bucket, NO_BUCKET, choice.fade <= 0.0);
-    }
-    return choice;
 }
 
 fn choose_continuum(blade: Blade, size: Size, place: Place) -> Choice {
     let height = field.cluster.x * pixels_per_metre(size.distance);
     let progress = cluster_progress(height);
+    let enough = enough_share(blade, size.width);
     if progress <= -ANCHOR_SHRINKS {
-        return choose_near(blade, size, place, 1.0);
+        return choose_near(blade, size, place, enough);
     }
     if place.local >= anchor_count(place.count) {
-        return choose_near(blade, size, place, 1.0 - clusters_grown(progress));
+        return choose_near(blade, size, place, enough * (1.0 - clusters_grown(progress)));
     }
     let begins = hash01(blade.id, 41u) * (1.0 - CLUSTER_GROWS);
     if progress > begins {
         let grown = min((progress - begins) / CLUSTER_GROWS, 1.0);
-        return choose_cluster(blade, size, place, grown);
+        return choose_cluster(blade, size, place, grown, enough);
     }
     // The plant itself shrinks before its cluster grows
-    var choice = choose_near(blade, size, place, 1.0 - clusters_grown(progress));
+    var choice = choose_near(blade, size, place, enough * (1.0 - clusters_grown(progress)));
     choice.fade *= clamp((begins - progress) / ANCHOR_SHRINKS, 0.0, 1.0);
     choice.bucket = select(choice.bucket, NO_BUCKET, choice.fade <= 0.0);
     return choice;
 }
 
+// Blades of a patch, spread over it, that tell how it lies.
+const LYING: u32 = 4u;
+
+// The most that is enough at any of its points.
+fn enough_of_patch(index: u32, home: GpuPatch, count: u32, nearest: f32) -> f32 {
+    var sine = 0.0;
+    for (var i = 0u; i < min(LYING, count); i++) {
+        let blade = unpack_blade(index * field.patch_size + i);
+        sine = max(sine, abs(dot(blade.up, view_ray(blade.root))));
+    }
+    let across = 0.5 * distance(home.reach_min, home.reach_max) / max(nearest, 1e-3);
+    return enough_at(sine + across, home.max_width * pixels_per_metre(nearest));
+}
+
 // Plants of the patch's order that any of its points may keep.
-fn kept_continuum(home: GpuPatch, count: u32, nearest: f32) -> u32 {
+fn kept_continuum(index: u32, home: GpuPatch, count: u32, nearest: f32) -> u32 {
     let cluster = field.cluster;
     let scale = pixels_per_metre(nearest);
     let progress = cluster_progress(cluster.x * scale);
-    if progress <= 0.0 {
+    let enough = enough_of_patch(index, home, count, nearest);
+    if progress <= 0.0 && enough >= 1.0 {
         return kept_near(home, count, nearest);
     }
-    let left = 1.0 - clusters_grown(progress);
+    let left = enough * (1.0 - clusters_grown(progress));
     let share = share_that_keeps(left * mean_kept(keep_share(home.max_width * scale)));
     let anchors = anchor_count(count);
-    let clusters = ceil(min(cluster_share(cluster, scale) * f32(anchors), f32(anchors)));
+    let most = share_that_keeps(enough * mean_kept(cluster_share(cluster, scale)));
+    let clusters = select(0.0, ceil(min(most * f32(anchors) + 0.01, f32(anchors))), progress > 0.0);
     let singles = ceil(clamp(share * 1.001 * f32(count), 0.0, f32(count)));
     return u32(max(singles, clusters));
+}
+
+// Whether all that is left of a patch are clusters.
+fn is_clusters_only(nearest: f32) -> bool {
+    let height = field.cluster.x * pixels_per_metre(nearest);
+    return view.technique == CONTINUUM && cluster_progress(height) >= 1.0;
 }
 
 // The same where there are no clusters.

@@ -40,6 +40,8 @@ struct Place {
     count: u32,
     // 0..1, the first 0
     rank: f32,
+    // Share of all plants that the technique leaves here, beside those of their size
+    left: f32,
 }
 
 // How a technique draws a plant.
@@ -60,11 +62,6 @@ struct Choice {
 
 // A blade: thinned in the order of its patch where blades are thin on the screen, the others wider.
 fn choose_blade(blade: Blade, size: Size, place: Place) -> Choice {
-    return choose_thinned_blade(blade, size, place, size.keep);
-}
-
-// The same thinned to another share; the others are as wide as at `size.keep`.
-fn choose_thinned_blade(blade: Blade, size: Size, place: Place, share: f32) -> Choice {
     let level = level_of(size);
     var choice: Choice;
     choice.bucket = species_table[blade.species].first_bucket + level.index;
@@ -74,7 +71,7 @@ fn choose_thinned_blade(blade: Blade, size: Size, place: Place, share: f32) -> C
     choice.margin = blade.width * choice.widened;
     choice.single = true;
     if has(CULL_DISTANCE) && !has(CULL_PAPER) {
-        choice.fade = rank_fade(share, place.rank) * range_fade(size.distance);
+        choice.fade = rank_fade(thinned(size.keep, place.left), place.rank) * range_fade(size.distance);
         if choice.fade <= 0.0 {
             choice.bucket = NO_BUCKET;
         }

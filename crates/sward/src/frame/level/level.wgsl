@@ -39,3 +39,27 @@ fn widening(share: f32) -> f32 {
     let shy = max(1.0 - share * (1.0 - FADE_SHARE), 0.0);
     return 1.0 / (1.0 - shy * shy / (2.0 * FADE_SHARE * share));
 }
+
+// What `rank_fade` leaves of all plants in the mean.
+fn mean_kept(share: f32) -> f32 {
+    return 1.0 / widening(share);
+}
+
+// The share that leaves so much: the inverse of `mean_kept`.
+fn share_that_keeps(mean: f32) -> f32 {
+    let half = 1.0 - 0.5 * FADE_SHARE;
+    if mean <= half {
+        return mean / half;
+    }
+    let shy = 1.0 - FADE_SHARE;
+    let b = shy + FADE_SHARE * (1.0 - mean);
+    return (b - sqrt(max(b * b - shy * shy, 0.0))) / (shy * shy);
+}
+
+// The share of which so much is left.
+fn thinned(share: f32, left: f32) -> f32 {
+    if left >= 1.0 {
+        return share;
+    }
+    return share_that_keeps(left * mean_kept(share));
+}

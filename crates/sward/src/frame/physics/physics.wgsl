@@ -43,6 +43,17 @@ fn wind_velocity(blade: Blade, tip: vec3<f32>, wind: vec3<f32>) -> vec3<f32> {
     return wind * (share * blade.gust * blade.response);
 }
 
+// The tip of an undisturbed blade, where recovery and gravity are even: of one that leans less than
+// lets its front part turn.
+fn rest_tip(blade: Blade) -> vec3<f32> {
+    let pull = gravity_pull(blade.root);
+    let sag = (pull + blade.facing * (length(pull) * 0.25)) * blade.droop;
+    if frame.physics_model == 1u {
+        return paper_valid_tip(blade, blade.up + sag);
+    }
+    return project_tip(blade.up + sag, blade.up, blade.facing, blade.arch);
+}
+
 // Where the tip would go in `dt_s` were the forces those at `at`, and were it free of the length.
 fn free_move(blade: Blade, tip: vec3<f32>, at: vec3<f32>, wind: vec3<f32>, k: f32, dt_s: f32)
     -> vec3<f32> {

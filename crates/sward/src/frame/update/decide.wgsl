@@ -58,23 +58,32 @@ fn decide(blade: Blade, state: BladeState, place: Place, inside: bool) -> Decisi
 var<workgroup> masks: array<atomic<u32>, 40>;
 var<workgroup> packed: array<atomic<u32>, 32>;
 
-fn mask_count(index: u32) -> u32 {
-    return countOneBits(atomicLoad(&masks[2u * index]))
-        + countOneBits(atomicLoad(&masks[2u * index + 1u]));
+// Of the lanes `beside`.
+fn mask_count(index: u32, beside: vec2<u32>) -> u32 {
+    return countOneBits(atomicLoad(&masks[2u * index]) & beside.x)
+        + countOneBits(atomicLoad(&masks[2u * index + 1u]) & beside.y);
 }
 
-fn pair_count(index: u32) -> u32 {
-    return mask_count(index) | (mask_count(index + 1u) << 16u);
+fn pair_count(index: u32, beside: vec2<u32>) -> u32 {
+    return mask_count(index, beside) | (mask_count(index + 1u, beside) << 16u);
 }
 
 // Survivors of 8 buckets, two a word.
-fn bucket_counts(first: u32) -> vec4<u32> {
+fn bucket_counts(first: u32, beside: vec2<u32>) -> vec4<u32> {
     return vec4<u32>(
-        pair_count(first),
-        pair_count(first + 2u),
-        pair_count(first + 4u),
-        pair_count(first + 6u),
+        pair_count(first, beside),
+        pair_count(first + 2u, beside),
+        pair_count(first + 4u, beside),
+        pair_count(first + 6u, beside),
     );
+}
+
+// Failed tests, 8 bits each.
+fn failed_counts(beside: vec2<u32>) -> u32 {
+    return mask_count(BUCKETS, beside)
+        | (mask_count(BUCKETS + 1u, beside) << 8u)
+        | (mask_count(BUCKETS + 2u, beside) << 16u)
+        | (mask_count(BUCKETS + 3u, beside) << 24u);
 }
 
 fn vote(lane: u32, decision: Decision) {

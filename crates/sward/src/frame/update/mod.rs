@@ -5,9 +5,11 @@ use crate::gpu::bindings::compute;
 use crate::gpu::page::{Page, ViewLists};
 use crate::gpu::shaders::Shader;
 use crate::renderer::Layouts;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
 /// What a pass does with the blades.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Work {
     /// Physics only.
     Simulate,
@@ -17,78 +19,101 @@ pub(crate) enum Work {
     Both,
 }
 
-impl Work {
-    const ALL: [Self; 3] = [Self::Simulate, Self::Test, Self::Both];
+/// What a pipeline knows beforehand. Some devices run what a branch leaves out: what is known is not in
+/// the pipeline at all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Variant {
+    work: Work,
+    /// Anchors of far patches, in place of bands.
+    far: bool,
+    multisampled: bool,
+    /// Most winds have no rotor, vortex, fan or map.
+    rare_wind: bool,
+}
 
-    fn constants(self, rare_wind: bool) -> [(&'static str, f64); 3] {
+impl Variant {
+    fn constants(self) -> [(&'static str, f64); 4] {
         let on = |x: bool| f64::from(u8::from(x));
         [
-            ("SIMULATE", on(self != Self::Test)),
-            ("TEST", on(self != Self::Simulate)),
-            ("RARE_WIND", on(rare_wind)),
+            ("SIMULATE", on(self.work != Work::Test)),
+            ("TEST", on(self.work != Work::Simulate)),
+            ("ANCHORS", on(self.far)),
+            ("RARE_WIND", on(self.rare_wind)),
         ]
     }
 }
 
-/// A pipeline for each kind of work and of depth texture.
-#[derive(Debug)]
-struct Pipelines {
-    single: [wgpu::ComputePipeline; 3],
-    multisampled: [wgpu::ComputePipeline; 3],
+/// What the update must know of a view.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Seen {
+    /// Whether it may have far patches.
+    pub(crate) far: bool,
+    /// Whether its depth is multisampled.
+    pub(crate) multisampled: bool,
 }
 
-/// The update stage. Most winds have no rotor, vortex, fan or map: they get pipelines that know none, as
-/// a device may run what a wind does not need.
+/// The update stage. Its pipelines are made when they are first needed.
 #[derive(Debug)]
 pub(crate) struct Update {
-    plain: Pipelines,
-    /// Made when it is first needed.
-    rare: Option<Pipelines>,
+    single: wgpu::ShaderModule,
+    multisampled: wgpu::ShaderModule,
+    made: Mutex<BTreeMap<Variant, wgpu::ComputePipeline>>,
     rare_wind: bool,
 }
 
-impl Pipelines {
-    fn new(device: &wgpu::Device, layouts: &Layouts, rare_wind: bool) -> Self {
-        let set = |shader: Shader, depth| {
-            let module = shader.module(device);
-            let groups = [&layouts.frame, &layouts.field, &layouts.update, depth];
-            let constants = |work: Work| work.constants(rare_wind);
-            Work::ALL.map(|work| compute(device, &module, "update", &groups, &constants(work)))
-        };
-        Self {
-            single: set(Shader::Update, &layouts.depth),
-            multisampled: set(Shader::UpdateMultisampled, &layouts.depth_multisampled),
-        }
-    }
-}
-
 impl Update {
-    pub(crate) fn new(device: &wgpu::Device, layouts: &Layouts) -> Self {
-        let plain = Pipelines::new(device, layouts, false);
-        Self { plain, rare: None, rare_wind: false }
+    pub(crate) fn new(device: &wgpu::Device) -> Self {
+        Self {
+            single: Shader::Update.module(device),
+            multisampled: Shader::UpdateMultisampled.module(device),
+            made: Mutex::default(),
+            rare_wind: false,
+        }
     }
 
     /// Says whether some source of the wind has a place or a map.
-    pub(crate) fn set_wind(&mut self, device: &wgpu::Device, layouts: &Layouts, rare: bool) {
+    pub(crate) fn set_wind(&mut self, rare: bool) {
         self.rare_wind = rare;
-        if rare {
-            self.rare.get_or_insert_with(|| Pipelines::new(device, layouts, true));
-        }
     }
 
-    /// One workgroup a band of the patches at work. Groups 0, 1 and 3 are set.
+    fn pipeline(
+        &self,
+        device: &wgpu::Device,
+        layouts: &Layouts,
+        variant: Variant,
+    ) -> wgpu::ComputePipeline {
+        let make = || {
+            let (module, depth) = if variant.multisampled {
+                (&self.multisampled, &layouts.depth_multisampled)
+            } else {
+                (&self.single, &layouts.depth)
+            };
+            let groups = [&layouts.frame, &layouts.field, &layouts.update, depth];
+            compute(device, module, "update", &groups, &variant.constants())
+        };
+        let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
+        made.entry(variant).or_insert_with(make).clone()
+    }
+
+    /// Runs the blades at work. Groups 0, 1 and 3 are set.
     pub(crate) fn encode(
         &self,
+        (device, layouts): (&wgpu::Device, &Layouts),
         pass: &mut wgpu::ComputePass,
-        page: &Page,
-        lists: &ViewLists,
+        (page, lists): (&Page, &ViewLists),
         work: Work,
-        multisampled: bool,
+        seen: Seen,
     ) {
-        let pipelines = self.rare.as_ref().filter(|_| self.rare_wind).unwrap_or(&self.plain);
-        let set = if multisampled { &pipelines.multisampled } else { &pipelines.single };
-        pass.set_pipeline(&set[work as usize]);
         pass.set_bind_group(2, &lists.update, &[]);
-        pass.dispatch_workgroups_indirect(&page.work_size, 0);
+        for far in [false, true] {
+            if far && !seen.far {
+                continue;
+            }
+            let Seen { multisampled, .. } = seen;
+            let rare_wind = self.rare_wind && work != Work::Test;
+            let variant = Variant { work, far, multisampled, rare_wind };
+            pass.set_pipeline(&self.pipeline(device, layouts, variant));
+            page.dispatch_work(pass, far);
+        }
     }
 }

@@ -1,0 +1,34 @@
+// The mean light of what shows of each patch that a view sees: one thread a patch. Plants that are thin
+// on the screen are drawn in it more and more, see draw/thin.wgsl.
+
+@group(2) @binding(1) var<storage, read> bands: array<GpuBand>;
+@group(2) @binding(2) var<uniform> canopy: GpuCanopy;
+// rgb mean radiance; a 1, or 0 where nothing is known of the field's mean
+@group(2) @binding(3) var<storage, read_write> patch_light: array<vec4<f32>>;
+
+// Plants of a patch, spread over it, that its place is taken from.
+const PLACES: u32 = 4u;
+
+@compute @workgroup_size(64)
+fn patch_lights(@builtin(global_invocation_id) thread: vec3<u32>) {
+    let index = thread.x;
+    if index >= field.patch_count || !see_patch(patches[index]).visible {
+        return;
+    }
+    let first = index * field.patch_size;
+    let places = min(PLACES, patch_blades(index));
+    var up = vec3<f32>(0.0);
+    var root = vec3<f32>(0.0);
+    for (var i = 0u; i < places; i++) {
+        let blade = unpack_blade(first + i);
+        up += blade.up;
+        root += blade.root / f32(places);
+    }
+    up = unit_or(up, vec3<f32>(0.0, 1.0, 0.0));
+    let band = bands[index * bands_per_patch()];
+    let sway = unpack_sway(band.sway);
+    let to_eye = -view_ray(root + up * (0.5 * field.cluster.x));
+    let light = canopy_radiance(up, to_eye, sway, sun_shade(root));
+    let known = f32(canopy.size.z > 0.0);
+    patch_light[index] = vec4<f32>(light, known);
+}
