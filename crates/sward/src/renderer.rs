@@ -8,14 +8,14 @@ use crate::frame::draw::Draw;
 use crate::frame::draw::mesh::vertices_by_bucket;
 use crate::frame::light::PatchLight;
 use crate::frame::sweep::patches::SweepStage;
-use crate::frame::update::{Seen, Update, Work};
+use crate::frame::update::{Look, Motion, Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
 use crate::gpu::page::Page;
 use crate::gpu::quantize::species_table;
 use crate::gpu::statistics::{PageCounts, ReadBack};
 use crate::gpu::uploads::Upload;
-use crate::gpu::view::{check_view, gpu_view, technique_of};
+use crate::gpu::view::{check_view, gpu_view};
 use crate::plants::layers::PlantLayers;
 use crate::{Error, Field, Frame, PhysicsModel, Statistics, Technique, View};
 
@@ -194,7 +194,11 @@ impl Renderer {
         }
         self.clock.advance(frame.dt_s);
         let chunks = self.inputs.write(device, encoder, &self.layouts, frame, &lists, &self.clock);
-        self.update.set_wind(frame.wind.is_rare());
+        self.update.set_motion(Motion {
+            paper: self.model == PhysicsModel::Paper,
+            colliders: chunks.all > 0,
+            wind_kinds: frame.wind.kinds(),
+        });
         if !chunks.listed {
             self.wake_touched(device, encoder);
         }
@@ -217,8 +221,7 @@ impl Renderer {
             pass.set_bind_group(3, &self.layouts.no_depth, &[]);
             self.collide.encode(&mut pass, page);
             let (gpu, of) = ((device, &self.layouts), (page, &page.views[0]));
-            let seen = Seen { far: false, multisampled: false };
-            self.update.encode(gpu, &mut pass, of, Work::Simulate, seen);
+            self.update.encode(gpu, &mut pass, of, Work::Simulate, Look::default());
         }
     }
 
@@ -302,7 +305,7 @@ impl Renderer {
         view: &View,
     ) {
         let (depth, multisampled) = self.layouts.depth_group(device, view.opaque_depth);
-        let seen = Seen { far: technique_of(view) == Technique::Continuum, multisampled };
+        let look = Look::of(view, multisampled);
         for page in &self.pages {
             let Some(lists) = page.views.get(index) else { continue };
             if stage == Stage::PatchCull {
@@ -316,15 +319,19 @@ impl Renderer {
                 self.encode_sweep(&mut pass, page, lists, view);
             }
             let gpu = (device, &self.layouts);
-            let mut update = |work| self.update.encode(gpu, &mut pass, (page, lists), work, seen);
+            let mut update = |work| self.update.encode(gpu, &mut pass, (page, lists), work, look);
             match stage {
                 Stage::PatchCull => self.cull.encode(&mut pass, page, lists),
                 Stage::Physics => update(Work::Simulate),
                 Stage::Visibility => update(Work::Test),
                 Stage::Update => update(Work::Both),
-                Stage::Light if seen.far => self.patch_light.encode(&mut pass, page, lists),
+                Stage::Light if look.has_far_patches() => {
+                    self.patch_light.encode(&mut pass, page, lists)
+                }
                 Stage::Light => {}
-                Stage::Compact => self.compact.encode(&mut pass, page, lists, seen.far),
+                Stage::Compact => {
+                    self.compact.encode(&mut pass, page, lists, look.has_far_patches())
+                }
             }
         }
     }

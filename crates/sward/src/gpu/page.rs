@@ -15,7 +15,7 @@ use crate::frame::draw::pipelines::Variant;
 use crate::frame::sweep::grid::Grid;
 use crate::frame::sweep::patches::PatchSweep;
 use crate::renderer::Layouts;
-use crate::{Field, PhysicsModel, Shape, Technique};
+use crate::{Field, Form, PhysicsModel, Shape, Technique};
 use bytemuck::Zeroable;
 use wgpu::BufferUsages;
 
@@ -81,6 +81,8 @@ pub struct Page {
     pub fingerprint: u64,
     /// Which draw lists its plants may be in, by technique.
     buckets: [Buckets; Technique::ALL.len()],
+    /// Whether it has strips or billboards among its plants.
+    pub other_forms: bool,
     /// Which pipelines draw it.
     pub variant: Variant,
     /// A colour a blade, or one word; for tests.
@@ -202,6 +204,7 @@ impl Page {
             grid: packed.grid,
             fingerprint,
             buckets: Technique::ALL.map(|technique| Buckets::of(field.species(), technique)),
+            other_forms: field.species().iter().any(|s| !matches!(s.form, Form::Blade)),
             variant: Variant {
                 lobed: field.species().iter().any(|s| s.shape == Shape::Dandelion),
                 tinted: !field.tints().is_empty(),

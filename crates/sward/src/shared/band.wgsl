@@ -30,6 +30,9 @@ fn unpack_sway(bits: vec2<u32>) -> vec3<f32> {
 // Plants that a cluster stands for.
 const CLUSTER_BLADES: u32 = 32u;
 
+// Whether a pipeline runs the anchors of far patches, in place of bands.
+override ANCHORS: bool = false;
+
 // Plants of a patch of so many that may be drawn as clusters: the first of its order.
 fn anchor_count(count: u32) -> u32 {
     return (count + CLUSTER_BLADES - 1u) / CLUSTER_BLADES;

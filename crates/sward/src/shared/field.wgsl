@@ -58,6 +58,9 @@ const FORM_BLADE: u32 = 0u;
 const FORM_STRIP: u32 = 1u;
 const FORM_BILLBOARD: u32 = 2u;
 
+// False in pipelines for fields of blades alone
+override OTHER_FORMS: bool = true;
+
 @group(1) @binding(0) var<uniform> field: GpuField;
 @group(1) @binding(1) var<uniform> species_table: array<GpuSpecies, 256>;
 @group(1) @binding(2) var<storage, read> blades: array<vec4<u32>>;
@@ -77,6 +80,13 @@ const NO_BUCKET: u32 = 15u;
 // Words of a patch's list of near colliders: 2, and 3 for each of up to 10 chunks
 const NEAR_STRIDE: u32 = 32u;
 const NEAR_SLOTS: u32 = 10u;
+
+fn form_of(species: u32) -> u32 {
+    if OTHER_FORMS {
+        return species_table[species].look.x;
+    }
+    return FORM_BLADE;
+}
 
 fn bands_per_patch() -> u32 {
     return field.patch_size / BAND;

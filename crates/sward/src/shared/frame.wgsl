@@ -41,6 +41,16 @@ struct GpuFrame {
     shade_y: f32,
 }
 
+// The model, where a pipeline is made for one; 2: as the frame says.
+override MODEL: u32 = 2u;
+
+fn is_paper_model() -> bool {
+    if MODEL < 2u {
+        return MODEL == 1u;
+    }
+    return frame.physics_model == 1u;
+}
+
 // Part of a collider, or the box of a chunk: see collide/primitive.rs and collide/chunks.rs.
 struct GpuPrimitive {
     a: vec4<u32>,

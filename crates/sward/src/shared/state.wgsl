@@ -44,7 +44,7 @@ fn pack_state(blade: Blade, state: BladeState) -> vec2<u32> {
         v = vec3<f32>(0.0, 0.0, 1.0);
     }
     let e = half_oct_encode(v);
-    if frame.physics_model == 1u {
+    if is_paper_model() {
         // 17 + 17 bits direction, 14 bits length up to 1.25 heights, 16 bits crush
         let x = to_bits(e.x, 65535.0);
         let y = to_bits(e.y, 65535.0);
@@ -59,7 +59,7 @@ fn pack_state(blade: Blade, state: BladeState) -> vec2<u32> {
 
 fn unpack_state(blade: Blade, bits: vec2<u32>) -> BladeState {
     var state: BladeState;
-    if frame.physics_model == 1u {
+    if is_paper_model() {
         let x = bits.x & 0x1ffffu;
         let y = (bits.x >> 17u) | ((bits.y & 3u) << 15u);
         let e = vec2<f32>(f32(x), f32(y)) / 65535.0 - 1.0;

@@ -60,8 +60,20 @@ const HAS_DEPTH: u32 = 64u;
 // A sweep has found the cells that the view may see
 const GROUND_SWEPT: u32 = 128u;
 
+// Flags that views of a pipeline may have.
+override FLAGS: u32 = 0xffffffffu;
+// Their technique, where it is made for one; 4: as the view says
+override TECHNIQUE: u32 = 4u;
+
 fn has(flag: u32) -> bool {
-    return (view.flags & flag) != 0u;
+    return (view.flags & FLAGS & flag) != 0u;
+}
+
+fn technique() -> u32 {
+    if TECHNIQUE < 4u {
+        return TECHNIQUE;
+    }
+    return view.technique;
 }
 
 // Metres from the eye; of an orthographic view, from the plane of its eye.

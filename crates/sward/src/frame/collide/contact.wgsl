@@ -131,6 +131,9 @@ fn pass_swept(blade: Blade, tip: vec3<f32>, whole: Round) -> Hit {
 // Moves a blade out of the way of that primitive near it which pushes it most. `list` says which
 // are near.
 fn contact(blade: Blade, tip: vec3<f32>, list: u32) -> Hit {
+    if !COLLIDERS {
+        return Hit(tip, 0.0);
+    }
     // The curve lies in the triangle of its control points; a little more for rounding
     let middle = middle_point(tip, blade.up, blade.arch);
     let half_tip = tip * 0.5;

@@ -2,6 +2,9 @@
 // chunks that the blade is not near. What found no place in a full list is looked for from the
 // chunks themselves: slower, but nothing is missed.
 
+// False in pipelines for steps without colliders.
+override COLLIDERS: bool = true;
+
 const NO_PRIMITIVE: u32 = 0xffffffffu;
 
 struct Near {

@@ -27,7 +27,7 @@ fn kept_blades(index: u32, home: GpuPatch, count: u32, nearest: f32) -> u32 {
     if !has(CULL_DISTANCE) || has(CULL_PAPER) {
         return count;
     }
-    switch view.technique {
+    switch technique() {
         case STRIPS: { return kept_strips(home, count, nearest); }
         case BILLBOARDS: { return kept_bands(home, count, nearest); }
         case CONTINUUM: { return kept_continuum(index, home, count, nearest); }
@@ -37,7 +37,7 @@ fn kept_blades(index: u32, home: GpuPatch, count: u32, nearest: f32) -> u32 {
 
 // Metres that what is drawn of a patch may reach beyond its blades' poses.
 fn patch_margin(home: GpuPatch) -> f32 {
-    if view.technique != CONTINUUM {
+    if technique() != CONTINUUM {
         return 0.0;
     }
     let cluster = field.cluster;

@@ -21,7 +21,7 @@ fn contrast(width_px: f32) -> f32 {
 
 // rgb the mean that a plant of this width is drawn towards; a how far it differs.
 fn thin_look(index: u32, width_px: f32) -> vec4<f32> {
-    if view.technique != CONTINUUM {
+    if technique() != CONTINUUM {
         return vec4<f32>(0.0, 0.0, 0.0, 1.0);
     }
     let mean = patch_light[index / field.patch_size];

@@ -75,7 +75,7 @@ fn choose_plant(blade: Blade, size: Size, place: Place) -> Choice {
 }
 
 fn choose_band(blade: Blade, size: Size, place: Place) -> Choice {
-    if species_table[blade.species].look.x == FORM_BILLBOARD {
+    if form_of(blade.species) == FORM_BILLBOARD {
         return choose_plant(blade, size, place);
     }
     return choose_blade(blade, size, place);

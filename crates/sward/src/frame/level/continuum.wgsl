@@ -57,7 +57,7 @@ fn choose_cluster(blade: Blade, size: Size, place: Place, grown: f32, enough: f3
 // A single plant, where so much is left of all of them.
 fn choose_near(blade: Blade, size: Size, place: Place, left: f32) -> Choice {
     let own = Place(place.local, place.count, place.rank, left);
-    switch species_table[blade.species].look.x {
+    switch form_of(blade.species) {
         case FORM_STRIP: { return choose_strip(blade, size, own); }
         case FORM_BILLBOARD: { return choose_band(blade, size, own); }
         default: { return choose_blade(blade, size, own); }
@@ -68,21 +68,19 @@ fn choose_continuum(blade: Blade, size: Size, place: Place) -> Choice {
     let height = field.cluster.x * pixels_per_metre(size.distance);
     let progress = cluster_progress(height);
     let enough = enough_share(blade, size.width);
-    if progress <= -ANCHOR_SHRINKS {
-        return choose_near(blade, size, place, enough);
-    }
-    if place.local >= anchor_count(place.count) {
-        return choose_near(blade, size, place, enough * (1.0 - clusters_grown(progress)));
-    }
+    let is_anchor = place.local < anchor_count(place.count);
     let begins = hash01(blade.id, 41u) * (1.0 - CLUSTER_GROWS);
-    if progress > begins {
+    // Of a far patch nothing else is left
+    if ANCHORS || (is_anchor && progress > begins) {
         let grown = min((progress - begins) / CLUSTER_GROWS, 1.0);
         return choose_cluster(blade, size, place, grown, enough);
     }
-    // The plant itself shrinks before its cluster grows
     var choice = choose_near(blade, size, place, enough * (1.0 - clusters_grown(progress)));
-    choice.fade *= clamp((begins - progress) / ANCHOR_SHRINKS, 0.0, 1.0);
-    choice.bucket = select(choice.bucket, NO_BUCKET, choice.fade <= 0.0);
+    if is_anchor {
+        // The plant itself shrinks before its cluster grows
+        choice.fade *= clamp((begins - progress) / ANCHOR_SHRINKS, 0.0, 1.0);
+        choice.bucket = select(choice.bucket, NO_BUCKET, choice.fade <= 0.0);
+    }
     return choice;
 }
 
@@ -121,7 +119,7 @@ fn kept_continuum(index: u32, home: GpuPatch, count: u32, nearest: f32) -> u32 {
 // Whether all that is left of a patch are clusters.
 fn is_clusters_only(nearest: f32) -> bool {
     let height = field.cluster.x * pixels_per_metre(nearest);
-    return view.technique == CONTINUUM && cluster_progress(height) >= 1.0;
+    return technique() == CONTINUUM && cluster_progress(height) >= 1.0;
 }
 
 // The same where there are no clusters.

@@ -11,7 +11,7 @@ const ENOUGH_WIDTH_PX: vec2<f32> = vec2<f32>(1.0, 3.5);
 
 // Share of the plants that is enough, where rays meet the ground at this sine, for plants so wide.
 fn enough_at(sine: f32, width_px: f32) -> f32 {
-    if view.technique != CONTINUUM {
+    if technique() != CONTINUUM {
         return 1.0;
     }
     let s = clamp(sine, 0.01, 1.0);

@@ -36,6 +36,9 @@ fn paper_push(blade: Blade, point: vec3<f32>, primitive: GpuPrimitive, lean: vec
 // displacement, in heights; w what the crush gains. Positions are relative to the root, as a small
 // blade far from the origin has few digits left otherwise.
 fn paper_collision(blade: Blade, tip: vec3<f32>, list: u32) -> vec4<f32> {
+    if !COLLIDERS {
+        return vec4<f32>(0.0);
+    }
     let middle = middle_point(tip, blade.up, 0.0);
     let tip_m = tip * blade.height;
     let midpoint_m = (middle * 0.5 + tip * 0.25) * blade.height;

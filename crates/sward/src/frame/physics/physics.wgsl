@@ -48,7 +48,7 @@ fn wind_velocity(blade: Blade, tip: vec3<f32>, wind: vec3<f32>) -> vec3<f32> {
 fn rest_tip(blade: Blade) -> vec3<f32> {
     let pull = gravity_pull(blade.root);
     let sag = (pull + blade.facing * (length(pull) * 0.25)) * blade.droop;
-    if frame.physics_model == 1u {
+    if is_paper_model() {
         return paper_valid_tip(blade, blade.up + sag);
     }
     return project_tip(blade.up + sag, blade.up, blade.facing, blade.arch);

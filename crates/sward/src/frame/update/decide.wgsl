@@ -9,7 +9,7 @@ struct Decision {
 
 // By the technique of the view, each in a file of its own.
 fn choose_form(blade: Blade, size: Size, place: Place) -> Choice {
-    switch view.technique {
+    switch technique() {
         case STRIPS: { return choose_strip(blade, size, place); }
         case BILLBOARDS: { return choose_band(blade, size, place); }
         case CONTINUUM: { return choose_continuum(blade, size, place); }

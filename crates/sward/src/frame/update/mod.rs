@@ -4,12 +4,14 @@
 use crate::gpu::bindings::compute;
 use crate::gpu::page::{Page, ViewLists};
 use crate::gpu::shaders::Shader;
+use crate::gpu::view::{HAS_DEPTH, PAPER, technique_of};
 use crate::renderer::Layouts;
-use std::collections::BTreeMap;
+use crate::{Technique, View};
+use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
 /// What a pass does with the blades.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Work {
     /// Physics only.
     Simulate,
@@ -19,37 +21,85 @@ pub(crate) enum Work {
     Both,
 }
 
-/// What a pipeline knows beforehand. Some devices run what a branch leaves out: what is known is not in
-/// the pipeline at all.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+/// What acts on blades in a step.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub(crate) struct Motion {
+    /// J's model.
+    pub(crate) paper: bool,
+    pub(crate) colliders: bool,
+    /// Bits of [`Wind::kinds`](crate::Wind::kinds).
+    pub(crate) wind_kinds: u32,
+}
+
+/// How a view tests blades.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub(crate) struct Look {
+    pub(crate) technique: Technique,
+    /// By the paper's tests.
+    pub(crate) paper: bool,
+    /// Has the host's depth.
+    pub(crate) depth: bool,
+    pub(crate) multisampled: bool,
+}
+
+impl Look {
+    /// Of a view by that technique.
+    pub(crate) fn of(view: &View, multisampled: bool) -> Self {
+        let depth = view.opaque_depth.is_some();
+        Self { technique: technique_of(view), paper: view.culling.paper, depth, multisampled }
+    }
+
+    /// Whether some patches may be far: clusters are all that is left of them.
+    pub(crate) fn has_far_patches(self) -> bool {
+        self.technique == Technique::Continuum
+    }
+
+    fn flags(self) -> u32 {
+        let without = |on: bool, flag: u32| if on { 0 } else { flag };
+        !(without(self.paper, PAPER) | without(self.depth, HAS_DEPTH))
+    }
+}
+
+/// What a pipeline is made for. Some devices run what a branch leaves out, all of them keep registers
+/// for it: what is known beforehand is not in the pipeline at all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 struct Variant {
     work: Work,
     /// Anchors of far patches, in place of bands.
     far: bool,
-    multisampled: bool,
-    /// Most winds have no rotor, vortex, fan or map.
-    rare_wind: bool,
+    /// Strips or billboards among the plants.
+    other_forms: bool,
+    motion: Motion,
+    look: Look,
 }
 
 impl Variant {
-    fn constants(self) -> [(&'static str, f64); 4] {
+    /// Without what the work has no use for.
+    fn new(work: Work, far: bool, other_forms: bool, motion: Motion, look: Look) -> Self {
+        let still = Motion { paper: motion.paper, ..Motion::default() };
+        Self {
+            work,
+            far,
+            other_forms: other_forms && work != Work::Simulate,
+            motion: if work == Work::Test { still } else { motion },
+            look: if work == Work::Simulate { Look::default() } else { look },
+        }
+    }
+
+    fn constants(self) -> [(&'static str, f64); 9] {
         let on = |x: bool| f64::from(u8::from(x));
         [
             ("SIMULATE", on(self.work != Work::Test)),
             ("TEST", on(self.work != Work::Simulate)),
             ("ANCHORS", on(self.far)),
-            ("RARE_WIND", on(self.rare_wind)),
+            ("OTHER_FORMS", on(self.other_forms)),
+            ("MODEL", on(self.motion.paper)),
+            ("COLLIDERS", on(self.motion.colliders)),
+            ("WIND_KINDS", self.motion.wind_kinds.into()),
+            ("TECHNIQUE", f64::from(self.look.technique as u32)),
+            ("FLAGS", self.look.flags().into()),
         ]
     }
-}
-
-/// What the update must know of a view.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Seen {
-    /// Whether it may have far patches.
-    pub(crate) far: bool,
-    /// Whether its depth is multisampled.
-    pub(crate) multisampled: bool,
 }
 
 /// The update stage. Its pipelines are made when they are first needed.
@@ -57,8 +107,8 @@ pub(crate) struct Seen {
 pub(crate) struct Update {
     single: wgpu::ShaderModule,
     multisampled: wgpu::ShaderModule,
-    made: Mutex<BTreeMap<Variant, wgpu::ComputePipeline>>,
-    rare_wind: bool,
+    made: Mutex<HashMap<Variant, wgpu::ComputePipeline>>,
+    motion: Motion,
 }
 
 impl Update {
@@ -67,13 +117,13 @@ impl Update {
             single: Shader::Update.module(device),
             multisampled: Shader::UpdateMultisampled.module(device),
             made: Mutex::default(),
-            rare_wind: false,
+            motion: Motion::default(),
         }
     }
 
-    /// Says whether some source of the wind has a place or a map.
-    pub(crate) fn set_wind(&mut self, rare: bool) {
-        self.rare_wind = rare;
+    /// What acts in the present step.
+    pub(crate) fn set_motion(&mut self, motion: Motion) {
+        self.motion = motion;
     }
 
     fn pipeline(
@@ -83,7 +133,7 @@ impl Update {
         variant: Variant,
     ) -> wgpu::ComputePipeline {
         let make = || {
-            let (module, depth) = if variant.multisampled {
+            let (module, depth) = if variant.look.multisampled {
                 (&self.multisampled, &layouts.depth_multisampled)
             } else {
                 (&self.single, &layouts.depth)
@@ -102,16 +152,14 @@ impl Update {
         pass: &mut wgpu::ComputePass,
         (page, lists): (&Page, &ViewLists),
         work: Work,
-        seen: Seen,
+        look: Look,
     ) {
         pass.set_bind_group(2, &lists.update, &[]);
         for far in [false, true] {
-            if far && !seen.far {
+            if far && !look.has_far_patches() {
                 continue;
             }
-            let Seen { multisampled, .. } = seen;
-            let rare_wind = self.rare_wind && work != Work::Test;
-            let variant = Variant { work, far, multisampled, rare_wind };
+            let variant = Variant::new(work, far, page.other_forms, self.motion, look);
             pass.set_pipeline(&self.pipeline(device, layouts, variant));
             page.dispatch_work(pass, far);
         }

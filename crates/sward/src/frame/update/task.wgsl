@@ -1,7 +1,5 @@
 // What a lane does: a blade of a band, or of a far patch's anchors.
 
-override ANCHORS: bool = false;
-
 struct Task {
     patch_index: u32,
     // Number of the blade in its patch

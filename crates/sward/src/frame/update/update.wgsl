@@ -23,7 +23,7 @@ fn advance(blade: Blade, state: BladeState, clock: Clock, patch_index: u32) -> B
     if clock.step + 1u != frame.step {
         gap = f32(frame.ticks - clock.ticks) / 16384.0;
     }
-    if frame.physics_model == 1u {
+    if is_paper_model() {
         return advance_paper(blade, state, gap, patch_index);
     }
     return advance_sward(blade, state, gap, patch_index);

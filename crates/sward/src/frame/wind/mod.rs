@@ -100,10 +100,15 @@ impl Wind {
         self.states().map(gpu).collect()
     }
 
-    /// Whether some source has a place or a map, which most winds lack.
-    pub(crate) fn is_rare(&self) -> bool {
-        let mapped = |source: &WindSource| matches!(source, WindSource::Texture(_));
-        self.sources.iter().any(|source| source.position().is_some() || mapped(source))
+    /// Bits of the kinds of its sources, as wind.wgsl numbers them.
+    pub(crate) fn kinds(&self) -> u32 {
+        let bits = |source: &WindSource| match source {
+            WindSource::Waves(waves) => u32::from(waves.amplitude != 0.0),
+            WindSource::Gusts(_) => 2,
+            WindSource::Cosine(_) => 4,
+            _ => 8,
+        };
+        self.sources.iter().map(bits).fold(0, |all, own| all | own)
     }
 
     fn states(&self) -> impl Iterator<Item = Source<'_>> {

@@ -4,8 +4,6 @@
 const WIND_PAST_S: f32 = 4.0;
 const ROTOR: u32 = 3u;
 const FAN: u32 = 5u;
-// False where the wind has no such source, and no map: some devices would run what it does not need.
-override RARE_WIND: bool = true;
 
 // From where the source was then to `position`, metres.
 fn from_source(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {

@@ -4,6 +4,14 @@ const TAU: f32 = 6.283185307;
 // Beyond this the wind is an error of its source: no blade can tell the difference.
 const WIND_LIMIT: f32 = 100.0;
 
+// Bits of the kinds of wind that a pipeline knows: waves with an amplitude, gusts, cosine, and the rare
+// ones, those with a place or a map. A breeze that only streams is always known.
+override WIND_KINDS: u32 = 15u;
+
+fn has_wind(kind: u32) -> bool {
+    return ((WIND_KINDS >> kind) & 1u) == 1u;
+}
+
 // Position in the source's own axes, metres: along its direction, and across.
 fn wind_axes(source: GpuWindSource, position: vec3<f32>) -> vec2<f32> {
     let across = vec2<f32>(-source.direction.y, source.direction.x);
@@ -12,7 +20,7 @@ fn wind_axes(source: GpuWindSource, position: vec3<f32>) -> vec2<f32> {
 
 // Crests that wander and break: noise that travels with them shifts their phase and fades them.
 fn wave_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32) -> vec2<f32> {
-    if source.strength.y == 0.0 {
+    if !has_wind(0u) || source.strength.y == 0.0 {
         return source.direction * source.strength.x;
     }
     let at = wind_axes(source, position);
@@ -61,18 +69,22 @@ fn wind_at(position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
                 level += wave_strength(wind_sources[i], position, seconds_ago);
             }
             case 1u: {
-                level += gust_strength(wind_sources[i], position, seconds_ago);
+                if has_wind(1u) {
+                    level += gust_strength(wind_sources[i], position, seconds_ago);
+                }
             }
             case 2u: {
-                level += cosine_strength(wind_sources[i], position, seconds_ago);
+                if has_wind(2u) {
+                    level += cosine_strength(wind_sources[i], position, seconds_ago);
+                }
             }
             case 6u: {
-                if RARE_WIND {
+                if has_wind(3u) {
                     level += map_strength(wind_sources[i], position, seconds_ago);
                 }
             }
             default: {
-                if RARE_WIND {
+                if has_wind(3u) {
                     sum += placed_strength(wind_sources[i], position, seconds_ago);
                 }
             }
