@@ -11,29 +11,30 @@
 //! @group(0) @binding(0) var<uniform> frame: Frame;
 //! @group(1) @binding(0) var<uniform> canopy: GpuCanopy;
 //!
-//! // In the ground's fragment: up the surface's normal, focal_px the pixels of a metre 1 m away
+//! // In the ground's fragment: up the surface's normal, focal_px the pixels of a metre 1 m away, sway
+//! // what `Canopy::sway` gives
 //! let gone = canopy_gone(canopy.size.z * focal_px / distance);
-//! let share = canopy_on_ground(canopy_coverage(up, to_eye), gone);
-//! color = mix(color, canopy_radiance(up, to_eye, 0.0, 0.0), share);
+//! let share = canopy_on_ground(canopy_coverage(up, to_eye, sway), gone);
+//! color = mix(color, canopy_radiance(up, to_eye, sway, 0.0), share);
 //! ```
 //! `to_sun` is the unit direction to the sun; `sun`, `sky`, `ground` and `haze` are those of
 //! [`crate::Light`], `haze.w` its share a metre.
 
 use crate::Field;
 use crate::bake::canopy::canopy;
-use crate::bake::cover::{ROWS, Shown};
-use crate::bake::stand::Stands;
-use crate::bake::surfels::{SURFELS, Weighted, depth_shade, group};
-use crate::gpu::layout::GpuCanopy;
+use crate::bake::cover::ROWS;
+use crate::bake::stand::{Stands, WINDS};
+use crate::gpu::layout::{GpuCanopy, GpuCanopyRow};
 use glam::Vec3;
 
-/// The light on grass as a whole: structs `GpuCanopy`, `GpuSurfel` and `BladeSurface`, and the
-/// functions `canopy_radiance(up, to_eye, lean, shaded)`, `canopy_coverage(up, to_eye)`,
+/// The light on grass as a whole: struct `GpuCanopy`, and the functions
+/// `canopy_radiance(up, to_eye, sway, shaded)`, `canopy_coverage(up, to_eye, sway)`,
 /// `canopy_gone(height_px)`, `canopy_on_ground(coverage, gone)` and `canopy_tint(own)`, with what
 /// they call. It declares no binding; see the module's page for what it needs.
 pub const WGSL: &str = concat!(
     include_str!("frame/light/light.wgsl"),
     include_str!("frame/light/canopy.wgsl"),
+    include_str!("frame/light/canopy_light.wgsl"),
     include_str!("frame/light/end.wgsl")
 );
 
@@ -65,14 +66,14 @@ impl Canopy {
         let last = ROWS as f32 - 1.0;
         let row = (last + sine.abs().max(1e-3).log2()).clamp(0.0, last);
         let low = (row as usize).min(ROWS - 2);
-        let open = |row: usize| self.gpu.rows[row][3];
+        let open = |row: usize| self.gpu.rows[row].rest.around[3];
         1.0 - (open(low) + (open(low + 1) - open(low)) * (row - low as f32))
     }
 
     /// Mean reflectance of what shows from straight above, linear RGB, each blade as dark as its
     /// depth between the others makes it.
     pub fn color(&self) -> [f32; 3] {
-        let [r, g, b, _] = self.gpu.rows[ROWS - 1];
+        let [r, g, b, _] = self.gpu.rows[ROWS - 1].shown;
         [r, g, b]
     }
 
@@ -90,8 +91,20 @@ impl Canopy {
         }
     }
 
+    /// How far a steady wind of that strength moves the mean tip, in heights: what `canopy_radiance` and
+    /// `canopy_coverage` take as `sway`. Zero is grass at rest.
+    pub fn sway(&self, wind: Vec3) -> Vec3 {
+        let strength = wind.length().min(WINDS[2]);
+        // What it moves levels off, as this does
+        let bent = |strength: f32| strength / (strength + 0.5);
+        let [_, first, second, third] = shares(WINDS.map(bent), bent(strength));
+        let [a, b, c, _] = self.gpu.pose;
+        let moved = first * a + second * b + third * c;
+        wind.normalize_or_zero() * moved
+    }
+
     fn depth(&self, row: usize) -> f32 {
-        -self.gpu.rows[row][3].max(LEAST_OPEN).ln()
+        -self.gpu.rows[row].rest.around[3].max(LEAST_OPEN).ln()
     }
 }
 
@@ -100,6 +113,17 @@ impl Field {
     pub fn canopy(&self) -> Canopy {
         Canopy { gpu: canopy(&Stands::of(self), None) }
     }
+}
+
+/// How much each of 0 and three places counts at `x`, for a cubic through all four: the twin of
+/// `canopy_shares`.
+fn shares([a, b, c]: [f32; 3], x: f32) -> [f32; 4] {
+    [
+        (x - a) * (x - b) * (x - c) / (-a * b * c),
+        x * (x - b) * (x - c) / (a * (a - b) * (a - c)),
+        x * (x - a) * (x - c) / (b * (b - a) * (b - c)),
+        x * (x - a) * (x - b) / (c * (c - a) * (c - b)),
+    ]
 }
 
 fn together(canopies: &[Canopy]) -> GpuCanopy {
@@ -118,42 +142,47 @@ fn together(canopies: &[Canopy]) -> GpuCanopy {
     sum.tint = mean(&|c| c.tint);
     sum.tint_mean = mean(&|c| c.tint_mean);
     for row in 0..ROWS {
-        let open: f32 = canopies.iter().map(|c| c.gpu.rows[row][3]).product();
-        let places = shown_of_all(canopies, row, sum.size[3]);
-        let weight: f32 = places.iter().map(|p| p.weight).sum::<f32>().max(1e-12);
-        let tone: Vec3 = (places.iter())
-            .map(|p| p.shown.albedo * (p.weight * depth_shade(p.shown.height_share, sum.size[3])))
-            .sum();
-        sum.rows[row] = (tone / weight).extend(open).to_array();
-        sum.surfels[row * SURFELS..(row + 1) * SURFELS]
-            .copy_from_slice(&group(&places, sum.size[3]));
+        sum.rows[row] = row_of_all(canopies, row);
     }
     sum
 }
 
-/// What shows of all fields from an elevation, each hidden by the parts of the others that are above.
-fn shown_of_all(canopies: &[Canopy], row: usize, root_open: f32) -> Vec<Weighted> {
-    let mut places = Vec::new();
-    for (own, canopy) in canopies.iter().enumerate() {
-        for surfel in &canopy.gpu.surfels[row * SURFELS..(row + 1) * SURFELS] {
-            let at = surfel.height_share * canopy.height_m();
-            let above = |other: &Canopy| (1.0 - at / other.height_m().max(1e-6)).max(0.0);
-            let hidden: f32 = (canopies.iter().enumerate())
-                .filter(|(i, _)| *i != own)
-                .map(|(_, other)| other.depth(row) * above(other))
-                .sum();
-            // As bright at its height in the light that reaches these roots
-            let shade = depth_shade(surfel.height_share, canopy.gpu.size[3])
-                / depth_shade(surfel.height_share, root_open).max(1e-6);
-            let shown = Shown {
-                normal: surfel.normal.into(),
-                albedo: Vec3::from(surfel.albedo) * shade,
-                height_share: surfel.height_share,
-            };
-            let weight = surfel.weight * canopy.depth(row) * (-hidden).exp();
-            places.push(Weighted { shown, weight });
-        }
+/// A row of all fields together: each counts by how much of it shows.
+fn row_of_all(canopies: &[Canopy], row: usize) -> GpuCanopyRow {
+    let shares = shown_of_all(canopies, row);
+    let mut mixed = GpuCanopy::empty().rows[row];
+    let floats = |canopy: &Canopy| -> Vec<f32> {
+        bytemuck::cast_slice(bytemuck::bytes_of(&canopy.gpu.rows[row])).to_vec()
+    };
+    let all: Vec<Vec<f32>> = canopies.iter().map(floats).collect();
+    let own: &mut [f32] = bytemuck::cast_slice_mut(bytemuck::bytes_of_mut(&mut mixed));
+    for (i, value) in own.iter_mut().enumerate() {
+        *value = all.iter().zip(&shares).map(|(values, share)| values[i] * share).sum();
     }
-    places.retain(|place| place.weight > 0.0);
-    places
+    // Gaps of one are filled by another
+    let open = |of: &dyn Fn(&GpuCanopyRow) -> f32| -> f32 {
+        canopies.iter().map(|c| of(&c.gpu.rows[row]).max(0.0)).product()
+    };
+    mixed.rest.around[3] = open(&|r| r.rest.around[3]);
+    for (wind, bent) in mixed.winds.iter_mut().enumerate() {
+        bent.mean.around[3] = open(&|r| r.winds[wind].mean.around[3]);
+    }
+    mixed
+}
+
+/// Which share of all that shows from an elevation is each field's; each is hidden by the parts of the
+/// others that are above what shows of it.
+fn shown_of_all(canopies: &[Canopy], row: usize) -> Vec<f32> {
+    let weight = |(own, canopy): (usize, &Canopy)| {
+        let at = canopy.gpu.rows[row].shown[3] * canopy.height_m();
+        let above = |other: &Canopy| (1.0 - at / other.height_m().max(1e-6)).max(0.0);
+        let hidden: f32 = (canopies.iter().enumerate())
+            .filter(|(i, _)| *i != own)
+            .map(|(_, other)| other.depth(row) * above(other))
+            .sum();
+        (1.0 - (-canopy.depth(row)).exp()) * (-hidden).exp()
+    };
+    let weights: Vec<f32> = canopies.iter().enumerate().map(weight).collect();
+    let total = weights.iter().sum::<f32>().max(1e-12);
+    weights.iter().map(|weight| weight / total).collect()
 }

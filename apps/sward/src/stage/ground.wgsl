@@ -72,5 +72,5 @@ fn grass_on_ground(up: vec3<f32>, place: vec3<f32>, to_eye: vec3<f32>) -> f32 {
     let on_plane = -to_eye / max(dot(-to_eye, ahead), 1e-3);
     let metre_px = 1.0 / max(length(dpdy(on_plane)) * frame.samples_a_side, 1e-7);
     let gone = canopy_gone(canopy.size.z * metre_px / away);
-    return canopy_on_ground(canopy_coverage(up, to_eye), gone);
+    return canopy_on_ground(canopy_coverage(up, to_eye, stance.yzw), gone);
 }

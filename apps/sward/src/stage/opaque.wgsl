@@ -3,7 +3,8 @@
 @group(1) @binding(0) var base_texture: texture_2d<f32>;
 @group(1) @binding(1) var base_sampler: sampler;
 @group(1) @binding(2) var<uniform> canopy: GpuCanopy;
-// x how far grass stands upright: 0 along the surface's normal, 1 straight up
+// x how far grass stands upright: 0 along the surface's normal, 1 straight up; yzw how far the wind moves
+// its mean tip, in heights
 @group(1) @binding(3) var<uniform> stance: vec4<f32>;
 
 struct VertexIn {
@@ -111,7 +112,7 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
         color += sun * lit * gloss(n, v, l, in.material.w);
     }
     if grass > 0.002 {
-        let look = canopy_radiance(up, v, 0.0, shaded) * canopy_tint(base);
+        let look = canopy_radiance(up, v, stance.yzw, shaded) * canopy_tint(base);
         color = mix(color, look, grass);
     }
     let clear = exp(-frame.haze.w * distance(frame.eye.xyz, in.world));

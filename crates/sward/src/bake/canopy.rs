@@ -1,61 +1,131 @@
-//! What a field looks like as a whole, from each elevation.
+//! What a field looks like as a whole, from each elevation, at rest and in wind from each side.
 
 use super::cluster::Clusters;
 use super::cover::{Cover, ROWS, look, sine};
-use super::stand::{Stand, Stands};
-use super::surfels::{SURFELS, Weighted, depth_shade, group};
-use crate::gpu::layout::GpuCanopy;
+use super::harmonics::Look;
+use super::stand::{POSES, Posed, Stand, Stands, WINDS, level};
+use crate::gpu::layout::{GpuBent, GpuCanopy, GpuCanopyRow, GpuLook};
 use glam::Vec3;
 use rayon::prelude::*;
+use std::f32::consts::{FRAC_PI_3, PI};
 
-/// Places that are grouped, of an elevation.
-const GROUPED: usize = 8192;
+/// Samples a side of a stand at rest, and in wind.
+const GRIDS: [u32; 2] = [64, 36];
+/// Angles from the eye to where the wind blows: towards the eye, two to its right, away from it.
+const SIDES: [f32; 4] = [0.0, FRAC_PI_3, 2.0 * FRAC_PI_3, PI];
+/// Looks at a row: at rest, and in each wind from each side.
+const LOOKS: usize = 1 + WINDS.len() * SIDES.len();
+
+/// What shows from an elevation, in each look, with the share of the ground that shows.
+type Row = [(Look, f32); LOOKS];
 /// Less of the ground that is open does not show in so few samples.
 const LEAST_OPEN: f32 = 5e-4;
 
 /// Looks at stands from all elevations. `clusters` gives the size of theirs.
 pub(crate) fn canopy(stands: &Stands, clusters: Option<&Clusters>) -> GpuCanopy {
-    let fit = |stand: &Stand| stand.clone().fitted(usize::MAX, &stands.means);
-    let fitted: Vec<Stand> = stands.stands.iter().map(fit).collect();
-    let triangles: Vec<_> = fitted.iter().map(|s| s.triangles(usize::MAX, true)).collect();
-    let places: Vec<(usize, usize)> =
-        (0..ROWS).flat_map(|row| (0..fitted.len()).map(move |stand| (row, stand))).collect();
-    // The lowest rows take longest and come first; each stand from a side of its own
-    let covers: Vec<Cover> = (places.par_iter())
-        .map(|&(row, i)| look(&fitted[i], &triangles[i], 0.4 + 1.7 * i as f32, row))
+    let fitted = stands.fitted();
+    let posed: Vec<[Posed; POSES]> =
+        fitted.par_iter().map(|s| std::array::from_fn(|pose| s.posed(pose))).collect();
+    // The lowest rows take longest and come first
+    let jobs: Vec<(usize, usize)> =
+        (0..ROWS).flat_map(|row| (0..LOOKS).map(move |which| (row, which))).collect();
+    let looks: Vec<(Look, f32)> = (jobs.par_iter())
+        .map(|&(row, which)| look_at(&fitted, &posed, row, which, stands.root_open))
         .collect();
     let mut result = GpuCanopy::empty();
-    for row in 0..ROWS {
-        let own = places.iter().zip(&covers).filter(|((of, _), _)| *of == row);
-        let cover = own.fold(Cover::default(), |sum, (_, cover)| sum.with(cover.clone()));
-        fill(&mut result, row, &cover, stands.root_open);
+    for (row, looks) in looks.chunks(LOOKS).enumerate() {
+        if let Ok(looks) = looks.try_into() {
+            result.rows[row] = gpu_row(looks);
+        }
     }
     let means = &stands.means;
-    let blades = || fitted.iter().flat_map(|s| &s.blades);
-    let lean = blades().map(|b| b.lean).sum::<f32>() / blades().count().max(1) as f32;
     let (radius, height) = clusters.map_or((0.0, 0.0), |c| (c.radius_m, c.height_m));
     result.size = [radius, height, means.height, stands.root_open];
-    result.pose = [lean, 0.0, 0.0, 0.0];
+    result.pose = pose(&fitted);
     result.tint = means.plain.extend(means.tint).to_array();
     result.tint_mean = means.surface.extend(0.0).to_array();
     result
 }
 
-fn fill(canopy: &mut GpuCanopy, row: usize, cover: &Cover, root_open: f32) {
-    let count = cover.shown.len();
-    let picked = super::stand::evenly(count, GROUPED).map(|i| cover.shown[i]);
-    let places: Vec<_> = picked.map(|shown| Weighted { shown, weight: 1.0 }).collect();
-    let tone: Vec3 = (cover.shown.iter())
-        .map(|shown| shown.albedo * depth_shade(shown.height_share, root_open))
-        .sum();
-    canopy.rows[row] = (tone / count.max(1) as f32).extend(cover.open()).to_array();
-    canopy.surfels[row * SURFELS..(row + 1) * SURFELS].copy_from_slice(&group(&places, root_open));
+/// What shows of all stands.
+fn look_at(
+    stands: &[Stand],
+    posed: &[[Posed; POSES]],
+    row: usize,
+    which: usize,
+    root_open: f32,
+) -> (Look, f32) {
+    let (pose, side, grid) = match which.checked_sub(1) {
+        None => (0, 1.0, GRIDS[0]),
+        Some(bent) => (1 + bent / SIDES.len(), SIDES[bent % SIDES.len()], GRIDS[1]),
+    };
+    let cover = stands.iter().zip(posed).fold(Cover::default(), |sum, (stand, posed)| {
+        sum.with(look(&posed[pose], stand.period, stand.downwind - side, row, grid))
+    });
+    (Look::of(&cover.shown, root_open), cover.open())
+}
+
+/// As `GpuCanopy::pose` has it: how far each wind moves the mean tip, and how high that is at rest; in
+/// heights.
+fn pose(stands: &[Stand]) -> [f32; 4] {
+    let count = stands.len().max(1) as f32;
+    let rest = stands.iter().map(|s| s.mean_tip(0)).sum::<Vec3>() / count;
+    let moved = |wind: usize| {
+        let along = |s: &Stand| (s.mean_tip(1 + wind) - s.mean_tip(0)).dot(level(s.downwind));
+        (stands.iter().map(along).sum::<f32>() / count).max(0.0)
+    };
+    [moved(0), moved(1), moved(2), rest.y.clamp(0.05, 1.2)]
+}
+
+/// From the four sides: the mean over all, and what goes with the cosines of the side, its double and its
+/// triple; of what changes with x, what goes with the sines of the side and its double.
+fn waves_of(sides: [GpuLook; 4], across: [[[f32; 4]; 10]; 2]) -> GpuBent {
+    let each = |of: &dyn Fn([f32; 4]) -> f32| {
+        let vector = |part: &dyn Fn(&GpuLook) -> [f32; 4]| -> [f32; 4] {
+            std::array::from_fn(|i| of(std::array::from_fn(|side| part(&sides[side])[i])))
+        };
+        GpuLook {
+            waves: std::array::from_fn(|i| vector(&|look| look.waves[i])),
+            around: vector(&|look| look.around),
+            tilt: vector(&|look| look.tilt),
+        }
+    };
+    let [one, two] = across;
+    let odd = |sign: f32| {
+        std::array::from_fn(|i| {
+            std::array::from_fn(|k| (one[i][k] + sign * two[i][k]) / 3.0_f32.sqrt())
+        })
+    };
+    GpuBent {
+        mean: each(&|[a, b, c, d]| (a + 2.0 * (b + c) + d) / 6.0),
+        first: each(&|[a, b, c, d]| (a + b - c - d) / 3.0),
+        second: each(&|[a, b, c, d]| (a - b - c + d) / 3.0),
+        third: each(&|[a, b, c, d]| (a - 2.0 * (b - c) - d) / 6.0),
+        across: odd(1.0),
+        across_double: odd(-1.0),
+    }
+}
+
+/// A row as the GPU has it.
+fn gpu_row(row: &Row) -> GpuCanopyRow {
+    let mean = |which: usize| row[which].0.mean(row[which].1);
+    let wind = |wind: usize| {
+        let sides: [_; 4] = std::array::from_fn(|side| mean(1 + wind * SIDES.len() + side));
+        waves_of(sides.map(|(look, _)| look), [sides[1].1, sides[2].1])
+    };
+    let rest = &row[0].0;
+    let count = rest.count.max(1e-9);
+    GpuCanopyRow {
+        shown: (rest.tone / count).extend(rest.height / count).to_array(),
+        rest: mean(0).0,
+        winds: std::array::from_fn(wind),
+    }
 }
 
 /// Blades that a ray meets on its way to the ground, in the mean, for each metre along over each metre of
 /// height, and straight down; from what is open of the ground (Poisson).
 pub(crate) fn layers(canopy: &GpuCanopy) -> [f32; 2] {
-    let met = |row: usize| -canopy.rows[row][3].max(LEAST_OPEN).ln();
+    let met = |row: usize| -canopy.rows[row].rest.around[3].max(LEAST_OPEN).ln();
     let above = met(ROWS - 1);
     let aside = |row: usize| {
         let along = (1.0 - sine(row) * sine(row)).sqrt() / sine(row);

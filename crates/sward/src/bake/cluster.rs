@@ -3,11 +3,12 @@
 
 use super::Triangle;
 use super::cover::axes;
+use super::harmonics::depth_shade;
 use super::layers::{Layers, color_of, shape_of};
+use super::means::evenly;
 use super::mips::{Chain, plain};
 use super::raster::Window;
 use super::stand::Stands;
-use super::surfels::depth_shade;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::f32::consts::{FRAC_PI_2, TAU};
@@ -15,7 +16,7 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 /// Blades that a cluster stands for.
 pub(crate) const CLUSTER_BLADES: usize = 32;
 /// Places of the field that clusters are taken from.
-pub(crate) const VARIANTS: usize = super::stand::STANDS;
+pub(crate) const VARIANTS: usize = 4;
 /// Elevations that they are seen from: 0, 30, 60 and 90 degrees.
 pub(crate) const ELEVATIONS: usize = 4;
 /// Sides that they are seen from.
@@ -62,11 +63,9 @@ fn picture(
 
 /// Bakes all layers; the same for any number of threads.
 pub(crate) fn clusters(stands: &Stands) -> Clusters {
-    let near = |stand: &super::stand::Stand| {
-        let stand = stand.clone().fitted(CLUSTER_BLADES, &stands.means);
-        stand.triangles(CLUSTER_BLADES, false)
-    };
-    let variants: Vec<Vec<Triangle>> = stands.stands.iter().map(near).collect();
+    let picked = evenly(stands.stands.len(), VARIANTS).map(|i| &stands.stands[i]);
+    let variants: Vec<Vec<Triangle>> =
+        picked.map(|stand| stand.nearest(CLUSTER_BLADES, &stands.means)).collect();
     let points = || variants.iter().flatten().flatten().map(|corner| corner.position);
     let radius = points().map(|p| Vec2::new(p.x, p.z).length()).fold(1e-3, f32::max);
     let height = points().map(|p| p.y).fold(1e-3, f32::max);

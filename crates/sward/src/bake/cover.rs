@@ -3,13 +3,11 @@
 
 use super::Triangle;
 use super::raster::Window;
-use super::stand::Stand;
+use super::stand::Posed;
 use glam::{Vec2, Vec3};
 
 /// Elevations: their sines double, from 1/32 to 1.
 pub(crate) const ROWS: usize = 6;
-/// Samples a side of what is looked at.
-const GRID: u32 = 64;
 
 /// A place that shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +18,8 @@ pub(crate) struct Shown {
     pub albedo: Vec3,
     /// 0 root, 1 tip.
     pub height_share: f32,
+    /// How far its blade leans: 0 upright, 1 flat.
+    pub lean: f32,
 }
 
 /// What shows from one elevation.
@@ -51,40 +51,43 @@ fn extent(triangles: &[Triangle]) -> (f32, f32) {
     })
 }
 
-/// Looks at a stand from an elevation, from anywhere around.
-pub(crate) fn look(stand: &Stand, triangles: &[Triangle], azimuth: f32, row: usize) -> Cover {
+/// Looks at a stand that repeats after so many metres, from an elevation and a side, with so many
+/// samples a side.
+pub(crate) fn look(posed: &Posed, period: Vec2, azimuth: f32, row: usize, grid: u32) -> Cover {
     let sine = sine(row);
     let [toward, right, up] = axes(azimuth, sine);
-    let half = 0.5 * stand.period.min_element();
-    let (high, far) = extent(triangles);
+    let half = 0.5 * period.min_element();
+    let (high, far) = extent(&posed.triangles);
     // Rays pass over this much of the ground from the top of the grass on
     let over = high * (1.0 - sine * sine).max(0.0).sqrt() / sine;
     let slack = far + half;
     let reach = over + slack;
-    let cells = (Vec2::splat(reach) / stand.period).ceil().as_ivec2();
-    let copies: Vec<Vec3> = (-cells.x..=cells.x)
+    let cells = (Vec2::splat(reach) / period).ceil().as_ivec2();
+    let mut copies: Vec<Vec3> = (-cells.x..=cells.x)
         .flat_map(|x| (-cells.y..=cells.y).map(move |z| (x, z)))
-        .map(|(x, z)| Vec3::new(x as f32 * stand.period.x, 0.0, z as f32 * stand.period.y))
+        .map(|(x, z)| Vec3::new(x as f32 * period.x, 0.0, z as f32 * period.y))
         .filter(|at| {
             let ahead = at.dot(toward);
             at.dot(right).abs() < slack && ahead > -slack && ahead < over + slack
         })
         .collect();
+    copies.sort_by(|a, b| b.dot(toward).total_cmp(&a.dot(toward)));
     let window = Window {
         center: Vec3::ZERO,
         right,
         up,
         half: Vec2::new(half, half * sine),
-        size: [GRID; 2],
+        size: [grid; 2],
         samples: 1,
     };
-    let seen = window.see_copies(triangles, &copies);
-    let shown = seen.surfaces().map(|s| Shown {
+    let seen = window.see_copies(&posed.triangles, &copies);
+    let shown = seen.surfaces().map(|(triangle, s)| Shown {
         normal: Vec3::new(s.normal.dot(right), s.normal.y, s.normal.dot(toward)),
         albedo: s.albedo,
         height_share: s.height_share,
+        lean: posed.leans.get(triangle).copied().unwrap_or(0.0),
     });
-    Cover { shown: shown.collect(), samples: (GRID * GRID) as usize }
+    Cover { shown: shown.collect(), samples: (grid * grid) as usize }
 }
 
 impl Cover {

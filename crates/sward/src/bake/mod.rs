@@ -5,14 +5,16 @@ pub(crate) mod canopy;
 pub(crate) mod cluster;
 pub(crate) mod color;
 pub(crate) mod cover;
+pub(crate) mod harmonics;
 pub(crate) mod layers;
+pub(crate) mod means;
 pub(crate) mod mips;
+pub(crate) mod places;
 pub(crate) mod raster;
 #[cfg(test)]
 mod raster_tests;
 pub(crate) mod ribbon;
 pub(crate) mod stand;
-pub(crate) mod surfels;
 #[cfg(test)]
 mod tests;
 

@@ -66,6 +66,9 @@ struct Hit {
     weights: Vec3,
 }
 
+/// Triangles that are looked for together: about those of a blade.
+const GROUP: usize = 16;
+
 const NONE: Hit = Hit { depth: f32::NEG_INFINITY, triangle: u32::MAX, weights: Vec3::ZERO };
 
 /// A triangle in the picture, in samples, with depths, and its box.
@@ -123,16 +126,26 @@ impl Window {
         self.see_copies(triangles, &[Vec3::ZERO])
     }
 
-    /// Looks at copies of triangles, each moved by an offset.
+    /// Looks at copies of triangles, each moved by an offset; the nearest copies should come first.
     pub(crate) fn see_copies<'a>(&self, triangles: &'a [Triangle], offsets: &[Vec3]) -> Seen<'a> {
         let count = self.grid().map(|n| n as usize).iter().product();
         let (hits, thickness) = (vec![NONE; count], vec![0.0; count]);
         let mut seen = Seen { window: *self, triangles, hits, thickness };
         let here = self.project(Vec3::ZERO);
         let flat: Vec<Flat> = triangles.iter().map(|t| self.flatten(t)).collect();
-        for offset in offsets {
+        let boxes: Vec<Flat> = flat.chunks(GROUP).map(around).collect();
+        let nearest =
+            flat.iter().flat_map(|f| f.corners).fold(f32::NEG_INFINITY, |n, c| n.max(c.z));
+        for (copy, offset) in offsets.iter().enumerate() {
             let by = self.project(*offset) - here;
-            for (index, flat) in flat.iter().enumerate() {
+            // What is left lies behind all that is seen
+            if copy % 4 == 3 && seen.hits.iter().all(|hit| hit.depth > nearest + by.z) {
+                break;
+            }
+            let near = |i: &usize| self.shows(&boxes[*i], by.truncate());
+            let groups = (0..boxes.len()).filter(near);
+            for index in groups.flat_map(|i| i * GROUP..flat.len().min((i + 1) * GROUP)) {
+                let flat = &flat[index];
                 if self.shows(flat, by.truncate()) {
                     seen.add(index as u32, flat.corners.map(|corner| corner + by));
                 }
@@ -140,6 +153,13 @@ impl Window {
         }
         seen
     }
+}
+
+/// The box about several.
+fn around(several: &[Flat]) -> Flat {
+    let low = several.iter().map(|flat| flat.low).fold(Vec2::INFINITY, Vec2::min);
+    let high = several.iter().map(|flat| flat.high).fold(Vec2::NEG_INFINITY, Vec2::max);
+    Flat { corners: [Vec3::ZERO; 3], low, high }
 }
 
 /// Where in the picture a sample lies: shifted from row to row and from column to column, or edges
@@ -215,9 +235,9 @@ impl Seen<'_> {
         })
     }
 
-    /// Every sample that something covers.
-    pub(crate) fn surfaces(&self) -> impl Iterator<Item = Corner> + '_ {
-        self.hits.iter().filter_map(|hit| self.surface(hit))
+    /// Every sample that something covers, and the number of the triangle.
+    pub(crate) fn surfaces(&self) -> impl Iterator<Item = (usize, Corner)> + '_ {
+        self.hits.iter().filter_map(|hit| Some((hit.triangle as usize, self.surface(hit)?)))
     }
 
     /// Share of the window that is covered; tests compare the picture's with it.

@@ -80,5 +80,5 @@ fn broken_triangles_are_left_out() {
     list[1][0].position = Vec3::splat(f32::INFINITY);
     list.push([list[2][0]; 3]);
     let seen = window(16, 2).see(&list);
-    assert!(seen.surfaces().all(|s| s.albedo.is_finite() && s.normal.is_normalized()));
+    assert!(seen.surfaces().all(|(_, s)| s.albedo.is_finite() && s.normal.is_normalized()));
 }

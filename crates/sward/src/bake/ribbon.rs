@@ -51,12 +51,6 @@ impl Ribbon {
         }
     }
 
-    /// Length of the curve, metres: J equation 12.
-    pub(crate) fn length(&self) -> f32 {
-        let [root, middle, tip] = self.curve;
-        (2.0 * root.distance(tip) + root.distance(middle) + middle.distance(tip)) / 3.0
-    }
-
     /// Makes it so many times as long, from its root, and as wide.
     pub(crate) fn scale(&mut self, longer: f32, wider: f32) {
         let root = self.curve[0];

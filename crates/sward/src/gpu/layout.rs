@@ -195,14 +195,34 @@ pub struct GpuDraw {
     pub reserved: u32,
 }
 
-/// `GpuSurfel` of canopy.wgsl.
+/// `GpuLook` of canopy.wgsl.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
-pub struct GpuSurfel {
-    pub normal: [f32; 3],
-    pub weight: f32,
-    pub albedo: [f32; 3],
-    pub height_share: f32,
+pub struct GpuLook {
+    pub waves: [[f32; 4]; 15],
+    pub around: [f32; 4],
+    pub tilt: [f32; 4],
+}
+
+/// `GpuBent` of canopy.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub struct GpuBent {
+    pub mean: GpuLook,
+    pub first: GpuLook,
+    pub second: GpuLook,
+    pub third: GpuLook,
+    pub across: [[f32; 4]; 10],
+    pub across_double: [[f32; 4]; 10],
+}
+
+/// `GpuCanopyRow` of canopy.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub struct GpuCanopyRow {
+    pub shown: [f32; 4],
+    pub rest: GpuLook,
+    pub winds: [GpuBent; 3],
 }
 
 /// `GpuCanopy` of canopy.wgsl.
@@ -213,15 +233,17 @@ pub struct GpuCanopy {
     pub pose: [f32; 4],
     pub tint: [f32; 4],
     pub tint_mean: [f32; 4],
-    pub rows: [[f32; 4]; 6],
-    pub surfels: [GpuSurfel; 192],
+    pub rows: [GpuCanopyRow; 6],
 }
 
 impl GpuCanopy {
     /// Of no grass.
     pub fn empty() -> Self {
         let mut canopy = Self::zeroed();
-        canopy.rows = [[0.0, 0.0, 0.0, 1.0]; 6];
+        for row in &mut canopy.rows {
+            row.rest.around[3] = 1.0;
+            row.winds.iter_mut().for_each(|wind| wind.mean.around[3] = 1.0);
+        }
         canopy.tint_mean = [1.0; 4];
         canopy
     }

@@ -133,8 +133,10 @@ fn structs() -> Vec<Expected> {
         expected!(GpuBand { step, ticks, culled, tested, counts, anchor_step, anchor_ticks, sway }),
         expected!(GpuBlock { buckets, counted }),
         expected!(GpuDraw { start, count, dropped, reserved }),
-        expected!(GpuSurfel { normal, weight, albedo, height_share }),
-        expected!(GpuCanopy { size, pose, tint, tint_mean, rows, surfels }),
+        expected!(GpuLook { waves, around, tilt }),
+        expected!(GpuBent { mean, first, second, third, across, across_double }),
+        expected!(GpuCanopyRow { shown, rest, winds }),
+        expected!(GpuCanopy { size, pose, tint, tint_mean, rows }),
         expected!(GpuSweep {
             origin,
             cell,

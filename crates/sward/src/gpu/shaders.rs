@@ -50,6 +50,7 @@ const LIGHT: &str = part!("frame/light/light.wgsl");
 const SHADE: &str = part!("frame/light/shade.wgsl");
 const SUNLIGHT: &str = part!("frame/light/sunlight.wgsl");
 const CANOPY: &str = part!("frame/light/canopy.wgsl");
+const CANOPY_LIGHT: &str = part!("frame/light/canopy_light.wgsl");
 const END: &str = part!("frame/light/end.wgsl");
 const PATCH_LIGHT: &str = part!("frame/light/patch_light.wgsl");
 const THIN: &str = part!("frame/draw/thin.wgsl");
@@ -186,7 +187,9 @@ impl Shader {
             Self::Cull => &[&[BAND, WORK, VIEW], &level, &[PATCH, CULL]],
             Self::Update => &[&[DEPTH_SINGLE], &collide, &update],
             Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &collide, &update],
-            Self::PatchLight => &[&[BAND, VIEW], &level, &light, &[CANOPY, PATCH, PATCH_LIGHT]],
+            Self::PatchLight => {
+                &[&[BAND, VIEW], &level, &light, &[CANOPY, CANOPY_LIGHT, PATCH, PATCH_LIGHT]]
+            }
             Self::Scan => &[&[BAND, DRAWS, VIEW, SCAN]],
             Self::Compact => &[&[BAND, WORK, TASK, VIEW, COMPACT]],
             Self::Draw => &[&draw],

@@ -1,6 +1,7 @@
 //! The GPU pipeline as a host drives it, against the stages' CPU references.
 
 mod canopy;
+mod canopy_mean;
 mod clusters;
 mod colliders;
 mod compaction;

@@ -15,7 +15,7 @@ fn vs_debug_cluster(
 ) -> DebugClusterVertex {
     let own = cluster_vertex(vertex, instance);
     let listed = listed_plant(vertex, instance);
-    let mean = canopy.rows[3].rgb;
+    let mean = canopy.rows[3].shown.rgb;
     let color = debug_color(listed.index, 0.0, mean);
     return DebugClusterVertex(own.clip, own.uv, color, own.layer, own.seed);
 }

@@ -52,9 +52,8 @@ fn card_corner(
 // from where they rest. At rest the tips are so high in the mean.
 fn sway_of(index: u32, up: vec3<f32>) -> vec3<f32> {
     let sway = unpack_sway(bands[(index / field.patch_size) * bands_per_patch()].sway);
-    let rest = sqrt(max(1.0 - canopy.pose.x * canopy.pose.x, 0.01));
     let rise = dot(sway, up);
-    return sway - up * (rise - min(rise / rest, 0.0));
+    return sway - up * (rise - min(rise / max(canopy.pose.w, 0.05), 0.0));
 }
 
 // Which picture: one of four places, elevations and sides, the next to the view's or the one after.

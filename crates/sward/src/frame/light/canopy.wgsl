@@ -1,36 +1,63 @@
-// The light of grass as a whole, seen from so far that blades are no longer told apart: the mean of
-// what `shade_blade` gives on a few representatives of what shows. Needs light.wgsl and a variable
-// `canopy`.
+// What shows of grass as a whole, at rest and in wind: see bake/canopy.rs. Needs a variable `canopy`.
 
 // Elevations of view: their sines are 1/32, 1/16, .. 1
 const CANOPY_ROWS: u32 = 6u;
-// Representatives an elevation
-const CANOPY_SURFELS: u32 = 32u;
 
-struct GpuSurfel {
-    // On the eye's side: x to the right, y up, z level towards the eye
-    normal: vec3<f32>,
-    // Share of what shows: one over their number, or 0 where there is no grass
-    weight: f32,
-    albedo: vec3<f32>,
-    // 0 root, 1 tip
-    height_share: f32,
+// The mean over what shows. x lies to the right of the eye, y up, z level towards the eye
+struct GpuLook {
+    // Of the sun's light, by the function: rgb what goes with the cosine, w what is mirrored
+    waves: array<vec4<f32>, 15>,
+    // rgb albedo in the sky's light, w share of the ground that shows none of the grass
+    around: vec4<f32>,
+    // rgb the same times how far the normal points up, w how much of the sky is mirrored
+    tilt: vec4<f32>,
+}
+
+// In a wind: the mean over all sides that it blows from, and what goes with the cosines of the angle
+// between where it blows to and the eye, of its double and of its triple
+struct GpuBent {
+    mean: GpuLook,
+    first: GpuLook,
+    second: GpuLook,
+    third: GpuLook,
+    // Of the functions that change with x, by the sines of that angle and of its double
+    across: array<vec4<f32>, 10>,
+    across_double: array<vec4<f32>, 10>,
+}
+
+struct GpuCanopyRow {
+    // rgb mean of the albedo in the canopy's own shade, w mean height: 0 root, 1 tip
+    shown: vec4<f32>,
+    rest: GpuLook,
+    winds: array<GpuBent, 3>,
 }
 
 struct GpuCanopy {
     // Half width and height of a cluster, mean height of the grass, metres; share of the sky at the
     // roots
     size: vec4<f32>,
-    // How far blades lean at rest: 0 upright, 1 flat; three unused
+    // How far the three winds move the mean tip, and how high that is at rest, in heights
     pose: vec4<f32>,
     // Of a field whose blades take its surface's colours: rgb mean colour but for those, w what they
     // are multiplied by; and their mean. Zero but for `tint_mean` 1 elsewhere
     tint: vec4<f32>,
     tint_mean: vec4<f32>,
-    // By elevation: mean of the albedo in the canopy's own shade, and share of the ground that shows
-    // none of it
-    rows: array<vec4<f32>, 6>,
-    surfels: array<GpuSurfel, 192>,
+    rows: array<GpuCanopyRow, 6>,
+}
+
+// How a canopy is looked at and bent.
+struct CanopyView {
+    right: vec3<f32>,
+    up: vec3<f32>,
+    toward: vec3<f32>,
+    // Elevation: 0 to 5
+    row: f32,
+    // Of rest and the three winds
+    shares: vec4<f32>,
+    // Cosines of the angle to where the wind blows, of its double and its triple, with 1 before them
+    cosines: vec4<f32>,
+    // Sines of the angle and its double
+    sines: vec2<f32>,
 }
 
 // Which elevation, 0 to 5, from the sine of the angle between the ray and the ground.
@@ -38,58 +65,74 @@ fn canopy_row(sine: f32) -> f32 {
     return clamp(5.0 + log2(max(abs(sine), 0.001)), 0.0, 5.0);
 }
 
-// Radiance of what shows of the grass at one elevation. `lean` is how far wind bends the grass over on
-// the whole, 0 to 1; `shaded` the share of the sun that something keeps away.
-fn canopy_row_radiance(row: u32, up: vec3<f32>, to_eye: vec3<f32>, lean: f32, shaded: f32)
-    -> vec3<f32> {
-    let level = to_eye - up * dot(to_eye, up);
+// How much rest and the three winds count where the mean tip is moved so far: a cubic through all four.
+fn canopy_shares(moved: f32) -> vec4<f32> {
+    let a = canopy.pose.x;
+    let b = canopy.pose.y;
+    let c = canopy.pose.z;
+    if a < 0.01 || b - a < 0.01 || c - b < 0.01 {
+        return vec4<f32>(1.0, 0.0, 0.0, 0.0);
+    }
+    let x = clamp(moved, 0.0, c);
+    return vec4<f32>(
+        (x - a) * (x - b) * (x - c) / (-a * b * c),
+        x * (x - b) * (x - c) / (a * (a - b) * (a - c)),
+        x * (x - a) * (x - c) / (b * (b - a) * (b - c)),
+        x * (x - a) * (x - b) / (c * (c - a) * (c - b)),
+    );
+}
+
+// `sway`: how far wind moves the mean tip, in heights; what it has along `up` does not count.
+fn canopy_view(up: vec3<f32>, to_eye: vec3<f32>, sway: vec3<f32>) -> CanopyView {
+    var view: CanopyView;
+    let sine = dot(up, to_eye);
+    let level = to_eye - up * sine;
     let square = dot(level, level);
     // Straight from above any direction will do
     let aside = select(vec3<f32>(1.0, 0.0, 0.0), vec3<f32>(0.0, 0.0, 1.0), abs(up.x) > 0.7);
     let other = normalize(aside - up * dot(aside, up));
-    let toward = select(other, level * inverseSqrt(max(square, 1e-12)), square > 1e-8);
-    let right = cross(up, toward);
-    var surface: BladeSurface;
-    surface.up = up;
-    surface.root_open = canopy.size.w;
-    surface.shaded = shaded;
-    surface.lean = min(sqrt(canopy.pose.x * canopy.pose.x + lean * lean), 1.0);
-    var sum = vec3<f32>(0.0);
-    for (var i = 0u; i < CANOPY_SURFELS; i++) {
-        let index = row * CANOPY_SURFELS + i;
-        let n = canopy.surfels[index].normal;
-        surface.normal = right * n.x + up * n.y + toward * n.z;
-        surface.albedo = canopy.surfels[index].albedo;
-        surface.height_share = canopy.surfels[index].height_share;
-        sum += canopy.surfels[index].weight * shade_blade(surface, to_eye);
-    }
-    return sum;
-}
-
-// Mean radiance of the grass, seen from `to_eye`.
-fn canopy_radiance(up: vec3<f32>, to_eye: vec3<f32>, lean: f32, shaded: f32) -> vec3<f32> {
-    let row = canopy_row(dot(up, to_eye));
-    let low = min(u32(row), CANOPY_ROWS - 2u);
-    return mix(
-        canopy_row_radiance(low, up, to_eye, lean, shaded),
-        canopy_row_radiance(low + 1u, up, to_eye, lean, shaded),
-        row - f32(low),
-    );
+    view.up = up;
+    view.toward = select(other, level * inverseSqrt(max(square, 1e-12)), square > 1e-8);
+    view.right = cross(up, view.toward);
+    view.row = canopy_row(sine);
+    let ahead = dot(sway, view.toward);
+    let sideways = dot(sway, view.right);
+    let moved = sqrt(ahead * ahead + sideways * sideways);
+    let each = 1.0 / max(moved, 1e-6);
+    let c = ahead * each;
+    let double = 2.0 * c * c - 1.0;
+    view.cosines = vec4<f32>(1.0, c, double, c * (2.0 * double - 1.0));
+    view.sines = vec2<f32>(sideways * each, 2.0 * sideways * each * c);
+    view.shares = canopy_shares(moved);
+    return view;
 }
 
 // Mean of the texels of clusters that show: of the albedo in the canopy's own shade.
 fn canopy_texels(up: vec3<f32>, to_eye: vec3<f32>) -> vec3<f32> {
     let row = canopy_row(dot(up, to_eye));
     let low = min(u32(row), CANOPY_ROWS - 2u);
-    let mean = mix(canopy.rows[low].rgb, canopy.rows[low + 1u].rgb, row - f32(low));
-    return max(mean, vec3<f32>(1e-4));
+    let shown = mix(canopy.rows[low].shown, canopy.rows[low + 1u].shown, row - f32(low));
+    return max(shown.rgb, vec3<f32>(1e-4));
+}
+
+fn canopy_row_open(row: u32, view: CanopyView) -> f32 {
+    var open = canopy.rows[row].rest.around.w * view.shares.x;
+    for (var k = 0u; k < 3u; k++) {
+        let share = view.shares[k + 1u];
+        open += share * (canopy.rows[row].winds[k].mean.around.w
+            + canopy.rows[row].winds[k].first.around.w * view.cosines.y
+            + canopy.rows[row].winds[k].second.around.w * view.cosines.z
+            + canopy.rows[row].winds[k].third.around.w * view.cosines.w);
+    }
+    return clamp(open, 0.0, 1.0);
 }
 
 // Share of the ground that the grass hides, seen from `to_eye`.
-fn canopy_coverage(up: vec3<f32>, to_eye: vec3<f32>) -> f32 {
-    let row = canopy_row(dot(up, to_eye));
-    let low = min(u32(row), CANOPY_ROWS - 2u);
-    return 1.0 - mix(canopy.rows[low].w, canopy.rows[low + 1u].w, row - f32(low));
+fn canopy_coverage(up: vec3<f32>, to_eye: vec3<f32>, sway: vec3<f32>) -> f32 {
+    let view = canopy_view(up, to_eye, sway);
+    let low = min(u32(view.row), CANOPY_ROWS - 2u);
+    let part = view.row - f32(low);
+    return 1.0 - mix(canopy_row_open(low, view), canopy_row_open(low + 1u, view), part);
 }
 
 // Colour of a plant whose surface has that colour, relative to the field's mean.

@@ -21,6 +21,14 @@ struct BladeSurface {
     blocked: f32,
 }
 
+// What of the sun's light a blade reflects, lets through, lets through towards who looks against the sun,
+// and mirrors
+const BLADE_REFLECTS: f32 = 0.32;
+const BLADE_PASSES: f32 = 0.30;
+const BLADE_PASSES_AGAINST: f32 = 0.35;
+const BLADE_GLOSS: f32 = 0.05;
+// Light through the leaf is yellower than light off it
+const BLADE_TINT: vec3<f32> = vec3<f32>(1.15, 1.2, 0.55);
 // Share of the light kept away inside a plant that it scatters towards the eye.
 const SCATTERED: f32 = 0.35;
 // Share of the sky's light that a blade lying flat mirrors.
@@ -41,22 +49,22 @@ fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
     let open = canopy_open(share, surface.root_open) * (1.0 - 0.4 * max(surface.absorbed, 0.0));
     let facing_sun = dot(surface.normal, to_sun);
     let reflected = max(facing_sun, 0.0);
-    // Light through the leaf is yellower than light off it, and strongest against the sun
+    // Strongest against the sun
     let through = max(-facing_sun, 0.0) * (1.0 - surface.blocked);
-    let leaf = surface.albedo * vec3<f32>(1.15, 1.2, 0.55);
+    let leaf = surface.albedo * BLADE_TINT;
     let toward = max(dot(-to_eye, to_sun), 0.0);
     let against = toward * toward * toward * toward;
     let arriving = frame.sun.rgb * (open * open * (1.0 - surface.shaded));
     let sun_light = arriving * (1.0 - surface.absorbed);
-    var color = surface.albedo * sun_light * reflected * 0.32;
-    color += leaf * sun_light * through * (0.30 + 0.35 * against);
+    var color = surface.albedo * sun_light * reflected * BLADE_REFLECTS;
+    color += leaf * sun_light * through * (BLADE_PASSES + BLADE_PASSES_AGAINST * against);
     // What is kept away on the way through the plant comes out of it on all sides, greener
     color += leaf * surface.albedo * arriving * (max(surface.absorbed, 0.0) * SCATTERED * (0.5 + against));
     let half_vector = to_sun + to_eye;
     let h = half_vector * inverseSqrt(max(dot(half_vector, half_vector), 1e-6));
     let shine = max(dot(surface.normal, h), 0.0);
     let shine4 = shine * shine * shine * shine;
-    color += sun_light * (shine4 * shine4 * shine4 * 0.05);
+    color += sun_light * (shine4 * shine4 * shine4 * BLADE_GLOSS);
     color += frame.sky.rgb * (over * open * SKY_SHEEN);
     let upward = 0.5 + 0.5 * dot(surface.normal, surface.up);
     let around = mix(frame.ground.rgb, frame.sky.rgb, upward);

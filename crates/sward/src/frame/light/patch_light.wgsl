@@ -27,9 +27,8 @@ fn patch_lights(@builtin(global_invocation_id) thread: vec3<u32>) {
     up = unit_or(up, vec3<f32>(0.0, 1.0, 0.0));
     let band = bands[index * bands_per_patch()];
     let sway = unpack_sway(band.sway);
-    let lean = min(length(sway - up * dot(sway, up)), 1.0);
     let to_eye = -view_ray(root + up * (0.5 * field.cluster.x));
-    let light = canopy_radiance(up, to_eye, lean, sun_shade(root));
-    let known = f32(canopy.surfels[0].weight > 0.0);
+    let light = canopy_radiance(up, to_eye, sway, sun_shade(root));
+    let known = f32(canopy.size.z > 0.0);
     patch_light[index] = vec4<f32>(light, known);
 }

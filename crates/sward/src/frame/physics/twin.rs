@@ -193,7 +193,12 @@ fn move_freely(
 
 /// The tip of an undisturbed blade: the equilibrium of recovery and gravity.
 pub fn rest_tip(blade: &Blade, gravity: &Gravity) -> DVec3 {
-    let drive = Drive { gravity: *gravity, wind: DVec3::ZERO };
+    settled_tip(blade, gravity, DVec3::ZERO)
+}
+
+/// The tip of a blade in a steady wind of that strength.
+pub fn settled_tip(blade: &Blade, gravity: &Gravity, wind: DVec3) -> DVec3 {
+    let drive = Drive { gravity: *gravity, wind };
     let dt_s = 0.5 / blade.response;
     (0..32).fold(blade.up, |tip, _| substep(blade, tip, &drive, blade.response, dt_s))
 }

@@ -1,0 +1,237 @@
+//! The canopy's light and cover against fields whose blades are all drawn.
+
+use super::canopy::of_canopy;
+use super::rig::{Gpu, shared};
+use crate::bake::cover::{ROWS, sine};
+use crate::gpu::test_device;
+use crate::{
+    Culling, Field, FieldDesc, Frame, Light, Mesh, Range, Renderer, Shape, Species, Surface,
+    Targets, Technique, Tufts, View, Waves, Wind, WindSource,
+};
+use glam::camera::rh::{proj::directx::orthographic, view::look_at_mat4};
+use glam::{UVec2, Vec2, Vec3};
+
+/// Pixels a side of what is looked at, and metres of ground.
+const PIXELS: u32 = 256;
+const WINDOW_M: f32 = 6.0;
+
+/// A field, and who draws it.
+struct Drawn {
+    gpu: Gpu,
+    renderer: Renderer,
+    field: Field,
+}
+
+/// What shows: mean radiance of the grass, and its share of the picture.
+#[derive(Debug, Clone, Copy)]
+struct Seen {
+    radiance: Vec3,
+    coverage: f32,
+}
+
+fn steady(mean: f32) -> Wind {
+    let waves = Waves { mean, amplitude: 0.0, ..Waves::default() };
+    Wind::new(vec![WindSource::Waves(waves)]).expect("valid wind")
+}
+
+impl Drawn {
+    fn new(side_m: f32, desc: &FieldDesc) -> Self {
+        let mesh = Mesh::plane(Vec2::splat(side_m), UVec2::ONE).expect("a plane");
+        let surface = Surface::new(mesh).expect("a surface");
+        let field = Field::grow(&surface, desc).expect("a field");
+        let gpu = shared();
+        let targets = Targets::single_sampled(wgpu::TextureFormat::Rgba32Float);
+        let mut renderer = Renderer::new(&gpu.0, targets).expect("the device has the limits");
+        renderer.add_field(&gpu.0, &field).expect("the field fits");
+        Self { gpu, renderer, field }
+    }
+
+    /// Lets the wind blow until blades stand still in it.
+    fn blow(&mut self, wind: &Wind) {
+        for _ in 0..12 {
+            self.step(&Frame::new(0.5, wind), &[]);
+        }
+    }
+
+    fn step(&mut self, frame: &Frame, views: &[View]) {
+        let (device, queue) = &self.gpu;
+        let mut encoder = device.create_command_encoder(&Default::default());
+        self.renderer.simulate(device, &mut encoder, frame).expect("valid frame");
+        self.renderer.cull(device, &mut encoder, views).expect("valid views");
+        queue.submit([encoder.finish()]);
+    }
+
+    /// From that direction, in parallel, every blade with all its segments.
+    fn see(&mut self, frame: &Frame, to_eye: Vec3) -> Seen {
+        let half = 0.5 * WINDOW_M;
+        let up = if to_eye.y > 0.999 { Vec3::X } else { Vec3::Y };
+        let view_from_world = look_at_mat4(to_eye * 50.0, Vec3::ZERO, up);
+        let high = half * to_eye.y;
+        let clip = orthographic(-half, half, -high, high, 0.1, 100.0);
+        let culling = Culling { frustum: true, ..super::scenes::no_culling() };
+        let view = View {
+            culling,
+            technique: Technique::Blades,
+            level: Some(0),
+            width_correction: false,
+            ..View::new(view_from_world, clip, [PIXELS; 2])
+        };
+        self.step(frame, &[view]);
+        let picture = self.draw();
+        let shown = picture.iter().filter(|p| p[3] > 0.0);
+        let (sum, count) = shown.fold((Vec3::ZERO, 0.0_f32), |(sum, n), p| {
+            (sum + Vec3::new(p[0], p[1], p[2]), n + 1.0)
+        });
+        Seen { radiance: sum / count, coverage: count / picture.len() as f32 }
+    }
+
+    fn draw(&mut self) -> Vec<[f32; 4]> {
+        let (device, queue) = &self.gpu;
+        let size = wgpu::Extent3d { width: PIXELS, height: PIXELS, depth_or_array_layers: 1 };
+        let target = |format| {
+            device.create_texture(&wgpu::TextureDescriptor {
+                label: Some("test.target"),
+                size,
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+                view_formats: &[],
+            })
+        };
+        let color = target(wgpu::TextureFormat::Rgba32Float);
+        let depth = target(wgpu::TextureFormat::Depth32Float);
+        let bytes = u64::from(PIXELS * PIXELS * 16);
+        let out = crate::gpu::buffers::storage(device, "test", bytes, wgpu::BufferUsages::empty());
+        let mut encoder = device.create_command_encoder(&Default::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &color.create_view(&Default::default()),
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &depth.create_view(&Default::default()),
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(1.0),
+                    store: wgpu::StoreOp::Store,
+                }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        });
+        self.renderer.draw(&mut pass, 0);
+        drop(pass);
+        encoder.copy_texture_to_buffer(
+            color.as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &out,
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(PIXELS * 16),
+                    rows_per_image: None,
+                },
+            },
+            size,
+        );
+        queue.submit([encoder.finish()]);
+        test_device::read(device, queue, &out)
+    }
+}
+
+fn dense() -> FieldDesc {
+    let tall = Species {
+        shape: Shape::TriangleTip { tip: 0.5 },
+        height_m: Range::new(0.33, 0.63),
+        width_m: Range::new(0.025, 0.035),
+        ridge: 1.0,
+        ..Species::default()
+    };
+    // Of reference.ron at a quarter of its size
+    FieldDesc { density: 250.0, species: vec![tall], upright: 1.0, ..Default::default() }
+}
+
+fn sparse() -> FieldDesc {
+    let low = Species {
+        height_m: Range::new(0.3, 0.42),
+        width_m: Range::new(0.03, 0.04),
+        ..Species::default()
+    };
+    FieldDesc { density: 36.0, species: vec![low], ..Default::default() }
+}
+
+fn tufted() -> FieldDesc {
+    let tall = Species {
+        share: 5.0,
+        height_m: Range::new(0.45, 0.85),
+        width_m: Range::new(0.026, 0.042),
+        arch: 0.35,
+        ..Species::default()
+    };
+    let fine = Species {
+        share: 6.0,
+        shape: Shape::Triangle,
+        height_m: Range::new(0.22, 0.4),
+        width_m: Range::new(0.024, 0.036),
+        response: Range::new(4.5, 7.5),
+        ..Species::default()
+    };
+    let dry = Species {
+        share: 1.2,
+        shape: Shape::Triangle,
+        height_m: Range::new(0.6, 1.0),
+        width_m: Range::new(0.01, 0.016),
+        droop: Range::new(0.3, 0.4),
+        root_color: crate::ColorRange { from: [0.1, 0.09, 0.03], to: [0.14, 0.11, 0.04] },
+        tip_color: crate::ColorRange { from: [0.5, 0.4, 0.17], to: [0.62, 0.47, 0.22] },
+        ..Species::default()
+    };
+    let tufts = Some(Tufts { share: 0.35, radius_m: 0.9, spread_m: 0.2 });
+    let species = vec![tall, fine, dry];
+    FieldDesc { density: 64.0, species, tufts, ..Default::default() }
+}
+
+const SUNS: [(Vec3, &str); 3] = [
+    (Vec3::new(0.3, 1.0, 0.2), "high"),
+    (Vec3::new(0.8, 0.4, 0.3), "low, behind"),
+    (Vec3::new(-0.5, 0.35, -0.8), "low, before"),
+];
+
+#[test]
+fn canopy_shows_what_a_field_does() {
+    for (name, desc, side) in
+        [("dense", dense(), 30.0), ("sparse", sparse(), 30.0), ("tufted", tufted(), 40.0)]
+    {
+        let mut drawn = Drawn::new(side, &desc);
+        let start = std::time::Instant::now();
+        let canopy = drawn.field.canopy();
+        println!("{name}: {} blades, canopy in {:?}", drawn.field.blades().len(), start.elapsed());
+        println!("pose {:?}", [0.35, 0.9, 2.0].map(|b| canopy.sway(Vec3::X * b).x));
+        for strength in [0.0, 0.4, 0.9, 1.4] {
+            let wind = steady(strength);
+            drawn.blow(&wind);
+            for row in [1, 2, 3, 4, 5].into_iter().filter(|row| *row < ROWS) {
+                let s = sine(row);
+                let c = (1.0 - s * s).sqrt();
+                let to_eye = Vec3::new(0.6 * c, s, 0.8 * c);
+                for (sun, sun_name) in SUNS {
+                    let light = Light { to_sun: sun.normalize(), ..Light::default() };
+                    let frame = Frame { light, ..Frame::new(0.0, &wind) };
+                    let seen = drawn.see(&frame, to_eye);
+                    let found = of_canopy(&canopy, &light, to_eye, canopy.sway(Vec3::X * strength));
+                    let (cover, found) = (found.w, found.truncate());
+                    let off = found / seen.radiance - 1.0;
+                    println!(
+                        "{name} wind {strength} row {row} sun {sun_name}: {off:.3} cover {:.3} of {:.3} {}",
+                        cover, seen.coverage, seen.radiance
+                    );
+                }
+            }
+        }
+    }
+}
