@@ -82,9 +82,14 @@ fn a_page_holds_what_binding_dispatch_and_index_hold() {
     assert_eq!(page_blades(&limits, 256), 65_532 * 64, "whole patches");
     let few = wgpu::Limits { max_storage_buffer_binding_size: 16 * 1000, ..limits.clone() };
     assert_eq!(page_blades(&few, 256), 768, "whole patches");
+    let wide = wgpu::Limits {
+        max_compute_workgroups_per_dimension: 1 << 20,
+        max_storage_buffer_binding_size: 1 << 30,
+        ..limits.clone()
+    };
     // What binds is what the error names
     for (limits, size, name) in [
-        (&limits, 256, "draw list"),
+        (&wide, 256, "draw list"),
         (&limits, 64, "max_compute_workgroups_per_dimension"),
         (&few, 256, "max_storage_buffer_binding_size"),
     ] {
