@@ -54,8 +54,8 @@ fn nothing_jumps() {
 }
 
 /// `--check` asks for 0.02, which is not reached yet: these are a little above what was measured when
-/// clusters came in (0.41, 0.22, 0.048), and may only fall.
-const DRIFT: [(&str, f64); 3] = [("coverage", 0.42), ("luminance", 0.24), ("colour", 0.05)];
+/// the canopy's light came to be taken in the wind that blows (0.31, 0.22, 0.004), and may only fall.
+const DRIFT: [(&str, f64); 3] = [("coverage", 0.33), ("luminance", 0.24), ("colour", 0.01)];
 
 #[test]
 fn drift_grows_no_further() {

@@ -1,7 +1,8 @@
 //! The look of the grass on an object, which its ground shows where the grass itself ends.
 
 use super::StageOptions;
-use sward::{Canopy, Field, Technique};
+use glam::Vec3;
+use sward::{Canopy, Field, Technique, Wind};
 use sward_scene::Scene;
 use wgpu::util::DeviceExt;
 
@@ -11,16 +12,26 @@ pub(super) struct GrassLook {
     canopy: Canopy,
     /// Mean of `FieldDesc::upright`: 0 where grass stands along the surface's normal, 1 straight up.
     upright: f32,
+    /// How far the wind moves the mean tip, in heights.
+    sway: Vec3,
 }
+
+/// Plants of a field that the wind is measured at.
+const MEASURED: usize = 256;
 
 impl GrassLook {
     /// Of a thing that carries none, or whose grass never ends.
     pub fn none() -> Self {
-        Self { canopy: Canopy::none(), upright: 0.0 }
+        Self { canopy: Canopy::none(), upright: 0.0, sway: Vec3::ZERO }
     }
 
-    /// Of each object, from the fields on it.
-    pub fn of_objects(scene: &Scene, fields: &[Field], options: &StageOptions) -> Vec<Self> {
+    /// Of each object, from the fields on it, in the wind as it is now.
+    pub fn of_objects(
+        scene: &Scene,
+        fields: &[Field],
+        options: &StageOptions,
+        wind: &Wind,
+    ) -> Vec<Self> {
         let culling = options.culling;
         let ends = options.technique == Technique::Continuum
             && !options.reference
@@ -36,7 +47,15 @@ impl GrassLook {
             }
             let canopies: Vec<Canopy> = own.iter().map(|(_, field)| field.canopy()).collect();
             let upright = own.iter().map(|(f, _)| f.desc.upright).sum::<f32>() / own.len() as f32;
-            Self { canopy: Canopy::together(&canopies), upright }
+            let canopy = Canopy::together(&canopies);
+            let roots = own.iter().flat_map(|(_, field)| {
+                let blades = field.blades();
+                blades.iter().step_by(blades.len().div_ceil(MEASURED).max(1)).map(|b| b.root)
+            });
+            let sways: Vec<Vec3> =
+                roots.map(|root| canopy.sway(wind.strength_at(root, 0.0))).collect();
+            let sway = sways.iter().sum::<Vec3>() / sways.len().max(1) as f32;
+            Self { canopy, upright, sway }
         };
         (0..scene.objects.len()).map(of).collect()
     }
@@ -50,7 +69,7 @@ impl GrassLook {
                 usage: wgpu::BufferUsages::UNIFORM,
             })
         };
-        let stance = [self.upright, 0.0, 0.0, 0.0];
+        let stance = [self.upright, self.sway.x, self.sway.y, self.sway.z];
         [buffer(self.canopy.uniform()), buffer(bytemuck::cast_slice(&stance))]
     }
 }

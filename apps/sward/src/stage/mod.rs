@@ -105,7 +105,8 @@ impl Stage {
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);
-        let grass = GrassLook::of_objects(scene, fields, &options);
+        let wind = Wind::new(scene.wind_at(-warm_up_s))?;
+        let grass = GrassLook::of_objects(scene, fields, &options, &wind);
         let opaque =
             Opaque::new(gpu, &uniform, scene, &movers, &grass, (samples, options.technique));
         let sky = Sky::new(device, &uniform, samples);
@@ -119,7 +120,7 @@ impl Stage {
             opaque,
             sky,
             post,
-            wind: Wind::new(scene.wind_at(-warm_up_s))?,
+            wind,
             wind_paths: scene.wind.clone(),
             light,
             daylight: scene.daylight.filter(|day| day.hours_per_s != 0.0),

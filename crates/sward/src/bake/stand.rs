@@ -73,6 +73,8 @@ pub(crate) struct Stands {
     pub root_open: f32,
     /// Means of the whole field.
     pub means: Means,
+    /// Square metres of ground that it stands on.
+    pub ground_m2: f32,
 }
 
 /// A stand's triangles in a pose.
@@ -173,7 +175,8 @@ impl Stands {
             stand.period *= scale;
             stand.blades.iter_mut().for_each(|blade| blade.move_root(scale));
         }
-        Self { stands, root_open: field_openness(field), means }
+        let ground_m2 = ground.each * field.blades().len() as f32;
+        Self { stands, root_open: field_openness(field), means, ground_m2 }
     }
 
     /// All of them, fitted together to the means of the field.

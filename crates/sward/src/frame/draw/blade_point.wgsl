@@ -74,10 +74,14 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     let distance = distance_to(blade.root + blade.up * (0.5 * blade.height));
     let width_px = blade.width * pixels_per_metre(distance);
     var width = blade.width * fade * area_scale(blade.species, BUCKET % 4u, morph);
+    var thin = 0.0;
     if has(CULL_DISTANCE) && !has(CULL_PAPER) {
         width *= widening(keep_share(width_px));
+    } else if has(WIDTH_CORRECTION) {
+        // Equation 24 makes tips as wide as roots, which covers more. Blades that are thinned out are
+        // wide enough without
+        thin = 1.0 - clamp((width_px - 1.0) / 2.0, 0.0, 1.0);
     }
-    let thin = select(0.0, 1.0 - clamp((width_px - 1.0) / 2.0, 0.0, 1.0), has(WIDTH_CORRECTION));
     let cut = morphed_section(blade, knee, state.tip, form, corner, ring, morph, thin);
     var normal = cut.normal;
     var position = center + cut.edge * width;
