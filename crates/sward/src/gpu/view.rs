@@ -13,7 +13,7 @@ pub const LEAST_WIDTH_PX: f32 = 1.4;
 /// all have.
 pub const CLUSTER_HEIGHT_PX: [f32; 2] = [24.0, 14.0];
 /// Clusters are thinned and widened to this many pixels at detail 1.
-pub const LEAST_CLUSTER_PX: f32 = 6.0;
+pub const LEAST_CLUSTER_PX: f32 = 4.0;
 /// Heights count so many times where segments are chosen, beside those of `Technique::Blades`: what
 /// clusters save far away is spent on curves near by.
 pub const FINER_LEVELS: f32 = 1.2;

@@ -19,6 +19,9 @@ fn from(distance_m: f32) -> View<'static> {
     View { technique: Technique::Continuum, culling, ..view }
 }
 
+/// From here all blades of `rig` are run.
+const NEAR_M: f32 = 2.0;
+
 fn rig(blades: u32) -> Rig {
     Rig::new(random_field(7, blades, 4.0, 256))
 }
@@ -150,7 +153,8 @@ fn sway(band: &GpuBand) -> Vec3 {
 #[test]
 fn a_patch_knows_how_far_the_wind_has_moved_it() {
     let wind = breeze();
-    for (distance, far, seconds) in [(5.0, false, 0.05), (60.0, true, 0.05), (60.0, true, 30.0)] {
+    for (distance, far, seconds) in [(NEAR_M, false, 0.05), (60.0, true, 0.05), (60.0, true, 30.0)]
+    {
         let mut rig = rig(512);
         let still = Wind::default();
         rig.step(
@@ -166,7 +170,8 @@ fn a_patch_knows_how_far_the_wind_has_moved_it() {
             });
             let mean = displaced.sum::<Vec3>() / 8.0;
             let own = sway(band);
-            assert!(own.distance(mean) < 1e-3, "{own} is not {mean}");
+            // The shader's rest is reckoned in one step, the twin's is where a blade settles
+            assert!(own.distance(mean) < 2e-3, "{distance} m, {seconds} s: {own} is not {mean}");
             assert_eq!(mean.length() < 1e-3, seconds > 1.0, "{mean}");
         }
     }
@@ -177,18 +182,18 @@ fn a_patch_knows_how_far_the_wind_has_moved_it() {
 fn blades_that_were_far_catch_up() {
     let (mut near, mut other) = (rig(1024), rig(1024));
     let mut wind = breeze();
-    for step in 0..90 {
+    for step in 0..120 {
         wind.advance(0.02);
         let frame = Frame::new(0.02, &wind);
-        near.step(&frame, &[from(5.0)]);
-        other.step(&frame, &[from(if step % 60 < 50 { 60.0 } else { 5.0 })]);
+        near.step(&frame, &[from(NEAR_M)]);
+        other.step(&frame, &[from(if step % 60 < 50 { 60.0 } else { NEAR_M })]);
         let moved = other.statistics().blades_moved;
         assert_eq!(moved, if step % 60 < 50 { 1024 / 32 } else { 1024 });
         if step == 30 {
             // A near view in the same step: the anchors have moved, and move no more
             let [a, b] = [&near, &other].map(Rig::states);
             assert!((0..1024).all(|i| (a[i] == b[i]) == (i % 256 < 8)));
-            other.cull(&[from(5.0)]);
+            other.cull(&[from(NEAR_M)]);
             assert_eq!(other.statistics().blades_moved, 1024);
             assert!((0..1024).step_by(256).all(|i| other.states()[i..i + 8] == b[i..i + 8]));
         }
