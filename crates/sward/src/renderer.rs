@@ -166,9 +166,7 @@ impl Renderer {
         }
         if count > 0 {
             let pages = first_page..self.pages.len();
-            if Unbaked::has_clusters(field) {
-                self.unbaked.push(Unbaked::new(field, pictures, pages));
-            }
+            self.unbaked.push(Unbaked::new(field, pictures, pages));
         }
         self.inputs.forget_lists();
         self.totals.blades += count;

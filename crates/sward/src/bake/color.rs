@@ -31,6 +31,12 @@ pub(crate) fn tones(species: &Species, id: u32, mix: f32) -> Tones {
     }
 }
 
+/// Of a plant of quads whose pictures have that mean colour: the twin of `plant_tone` in look.wgsl,
+/// without wind.
+pub(crate) fn plant_tones(mean: Vec3, id: u32) -> Tones {
+    Tones { plain: [mean * (0.85 + 0.3 * hash01(id, 22)); 2], tint: [0.0; 2] }
+}
+
 /// Tone at the curve's parameter.
 pub(crate) fn tone_at(v: f32) -> f32 {
     v * (1.5 - 0.5 * v)

@@ -1,6 +1,6 @@
 //! Means over a field's blades.
 
-use super::color::{Tones, tones};
+use super::bodies::Bodies;
 use crate::Field;
 use crate::grow::Blade;
 use glam::Vec3;
@@ -24,9 +24,9 @@ pub(crate) struct Means {
 }
 
 /// One blade's part in the means.
-fn part(field: &Field, index: usize) -> (f64, Means) {
+fn part(field: &Field, bodies: &Bodies, index: usize) -> (f64, Means) {
     let blade: &Blade = &field.blades()[index];
-    let tones = own_tones(field, index);
+    let tones = bodies.tones(field, index);
     let surface = field.color(index).map_or(Vec3::ONE, Vec3::from);
     let means = Means {
         height: blade.height,
@@ -46,10 +46,10 @@ impl Means {
     }
 
     /// Over some blades.
-    pub(crate) fn over(field: &Field, blades: &[usize]) -> Self {
+    pub(super) fn over(field: &Field, bodies: &Bodies, blades: &[usize]) -> Self {
         let zero = [0.0_f64; 15];
         let sum = blades.iter().fold(zero, |mut sum, &index| {
-            let (area, own) = part(field, index);
+            let (area, own) = part(field, bodies, index);
             let [low, high] = own.colors;
             let vectors = [low, high, own.plain, own.surface].map(Vec3::as_dvec3);
             let weighted = vectors.into_iter().flat_map(|v| (v * area).to_array());
@@ -77,11 +77,4 @@ impl Means {
 pub(crate) fn evenly(count: usize, most: usize) -> impl Iterator<Item = usize> {
     let taken = count.min(most);
     (0..taken).map(move |i| (2 * i + 1) * count / (2 * taken))
-}
-
-/// A blade's colours.
-pub(crate) fn own_tones(field: &Field, index: usize) -> Tones {
-    let mix = if field.color(index).is_some() { field.tint_mix() } else { 0.0 };
-    let species = &field.species()[usize::from(field.blades()[index].species)];
-    tones(species, index as u32, mix)
 }

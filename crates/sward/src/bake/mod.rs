@@ -1,6 +1,7 @@
 //! Baking on the CPU: plants made of ribbons become pictures of them, in texels that hold colour,
 //! coverage, normal, height and thickness. `ribbon -> raster -> mips -> layers`.
 
+mod bodies;
 pub(crate) mod canopy;
 pub(crate) mod cluster;
 pub(crate) mod color;

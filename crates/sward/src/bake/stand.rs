@@ -2,24 +2,29 @@
 //! field, at rest and bent by wind.
 
 use super::Triangle;
+use super::bodies::Bodies;
 use super::color::tone_at;
-use super::means::{Means, evenly, own_tones};
+use super::means::{Means, evenly};
 use super::places::{Ground, Place};
 use super::ribbon::Ribbon;
 use crate::frame::physics::twin::{self, settled_tip};
 use crate::gpu::quantize::{area_scale, field_openness, tangent_frame};
 use crate::grow::Blade;
+use crate::plants::body::{Body, Stance};
 use crate::shared::curve_twin::middle_point;
 use crate::shared::noise_twin::hash01;
 use crate::{Field, Gravity, Shape};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::f32::consts::TAU;
+use std::sync::Arc;
 
 /// Squares that are looked at.
 pub(crate) const STANDS: usize = 8;
 /// Blades of each, in the mean.
 const BLADES: usize = 256;
+/// The same where there are plants of quads, which have as many triangles as a dozen blades.
+const PLANTS: usize = 64;
 /// Most area of blades over an area of ground.
 const DENSEST: f32 = 16.0;
 /// Blades that the means are taken over.
@@ -41,10 +46,12 @@ struct Pose {
 }
 
 /// A blade, in metres about the middle of its stand: y is up.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Standing {
-    /// Its form, at rest.
+    /// Its form, at rest; of a plant of quads, its middle line and its width.
     pub ribbon: Ribbon,
+    /// What a plant of quads looks like, and its up direction.
+    planted: Option<(Arc<Body>, Vec3)>,
     /// Colours at tones 0 and 1.
     pub colors: [Vec3; 2],
     /// Length and width, metres, as means count them.
@@ -97,7 +104,13 @@ pub(crate) fn level(azimuth: f32) -> Vec3 {
 }
 
 /// A blade under plain gravity and each wind, in a frame about `origin`.
-fn standing(field: &Field, index: usize, place: &Place, wind: Vec3, wider: f32) -> Standing {
+fn standing(
+    (field, bodies): (&Field, &Bodies),
+    index: usize,
+    place: &Place,
+    wind: Vec3,
+    wider: f32,
+) -> Standing {
     let blade = &field.blades()[index];
     let species = &field.species()[usize::from(blade.species)];
     let up = (place.frame * blade.up).normalize_or(Vec3::Y);
@@ -124,7 +137,11 @@ fn standing(field: &Field, index: usize, place: &Place, wind: Vec3, wider: f32) 
     let root = Vec3::new(root.x, 0.0, root.z);
     let lobed = species.shape == Shape::Dandelion;
     let surface = field.color(index).map_or(Vec3::ONE, Vec3::from);
+    let body = bodies.body(field, index);
+    // The width of a plant of quads is that of its box
+    let wider = if body.is_some() { 1.0 } else { wider };
     Standing {
+        planted: body.map(|body| (body.clone(), up)),
         ribbon: Ribbon {
             curve: [root, root + poses[0].curve[0], root + poses[0].curve[1]],
             side: up.cross(facing),
@@ -135,7 +152,7 @@ fn standing(field: &Field, index: usize, place: &Place, wind: Vec3, wider: f32) 
             height_share: [0.0, 1.0],
             thickness: 1.0,
         },
-        colors: own_tones(field, index).on(surface),
+        colors: bodies.tones(field, index).on(surface),
         size: [blade.height, blade.width],
         poses,
     }
@@ -150,17 +167,20 @@ impl Stands {
             scales.get(species).copied().unwrap_or(1.0)
         };
         let all: Vec<usize> = evenly(field.blades().len(), MEANS).collect();
-        let means = Means::over(field, &all);
+        let bodies = Bodies::of(field);
+        let most = if bodies.any() { PLANTS } else { BLADES };
+        let means = Means::over(field, &bodies, &all);
         // Denser than this nothing shows of the ground, whether the blades stand on one point or not
         let ground = Ground::of(field, means.area / DENSEST);
-        let count = field.blades().len().clamp(1, BLADES);
+        let count = field.blades().len().clamp(1, most);
         let edge = (count as f32 * ground.each).sqrt();
         let places = ground.places(field, STANDS, edge);
         let stands = places.par_iter().enumerate().map(|(i, place)| {
             // No two from the same side
             let downwind = TAU * (i as f32 * 0.618_034).fract();
             let wind = level(downwind);
-            let own = place.blades.iter().map(|&b| standing(field, b, place, wind, wider(b)));
+            let own =
+                place.blades.iter().map(|&b| standing((field, &bodies), b, place, wind, wider(b)));
             let mut blades: Vec<Standing> = own.collect();
             let distance = |b: &Standing| b.ribbon.curve[0].length_squared();
             blades.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
@@ -249,7 +269,7 @@ impl Stand {
         let own = &self.blades[..self.blades.len().min(blades)];
         let fit = Fit::of(own.iter(), means);
         let mut list = Vec::new();
-        for mut blade in own.iter().copied() {
+        for mut blade in own.iter().cloned() {
             fit.apply(&mut blade);
             blade.triangles(0, false, &mut list);
         }
@@ -268,6 +288,12 @@ impl Standing {
         let root = self.ribbon.curve[0];
         let [middle, tip] = self.poses[pose].curve;
         let mut ribbon = Ribbon { curve: [root, root + middle, root + tip], ..self.ribbon };
+        if let Some((body, up)) = &self.planted {
+            let Ribbon { curve, side: right, width, .. } = ribbon;
+            // Its own tone, and what it was fitted to the field by
+            let tone = self.colors[0] / body.mean.max(Vec3::splat(1e-4));
+            return body.add(&Stance { curve, up: *up, right, width }, tone, coarse, out);
+        }
         if coarse {
             ribbon.segments = if ribbon.segments > 8 { 16 } else { 8 };
         }

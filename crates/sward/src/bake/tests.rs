@@ -179,3 +179,30 @@ fn fields_together_cover_more_than_each() {
     assert_eq!(crate::Canopy::together(&[tall]), tall);
     assert_eq!(crate::Canopy::together(&[]).coverage(0.1), 0.0);
 }
+
+/// Plants of quads stand in a bake as what they are: their colours, and no more of them than shows.
+#[test]
+fn plants_of_quads_are_baked_as_they_look() {
+    use crate::Plant;
+    let looks = |plant, density| {
+        let species = vec![Species::plant(plant)];
+        grown(&FieldDesc { density, species, ..Default::default() }, 12.0).canopy()
+    };
+    let [grass, poppies] = [Plant::MeadowGrass, Plant::Poppy].map(|plant| looks(plant, 20.0));
+    let redness = |canopy: &crate::Canopy| canopy.color()[0] / canopy.color()[1];
+    assert!(redness(&grass) < 0.95, "{:?}", grass.color());
+    assert!(redness(&poppies) > 1.3 * redness(&grass), "{:?}", poppies.color());
+    // A box of 0.3 by 0.27 m each, of which leaves fill a third, would hide all from low down
+    let field = patch_of(vec![Species::plant(Plant::MeadowGrass)], 20.0);
+    let stands = Stands::of(&field);
+    let baked = clusters(&stands);
+    let alpha = |layer: u32| {
+        let texels = baked.color.layer(0, layer);
+        texels.iter().map(|t| f32::from(t[3])).sum::<f32>() / (255 * texels.len()) as f32
+    };
+    let side = (0..AZIMUTHS as u32).map(alpha).sum::<f32>() / AZIMUTHS as f32;
+    assert!((0.2..0.9).contains(&side), "{side}");
+    for sine in [0.1, 0.3, 1.0] {
+        assert!(grass.coverage(sine) > looks(Plant::MeadowGrass, 4.0).coverage(sine) + 0.02);
+    }
+}

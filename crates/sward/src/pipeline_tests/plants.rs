@@ -2,12 +2,13 @@
 
 use super::drawing::{Picture, covered, draw};
 use super::rig::Rig;
-use super::scenes::{SIZE, field_of, look, no_culling};
-use crate::gpu::layout::{BILLBOARD_BUCKETS, MODEL_BUCKET};
+use super::scenes::{Draws, SIZE, field_of, look, no_culling};
+use crate::gpu::layout::{BILLBOARD_BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET};
+use crate::gpu::view::focal_px;
 use crate::grow::Blade;
 use crate::plants::Angle;
 use crate::shared::noise_twin::hash01;
-use crate::{Bands, Field, Frame, Plant, Range, Species, Technique, View, Wind};
+use crate::{Bands, Culling, Field, Frame, Plant, Range, Species, Technique, View, Wind};
 use glam::Vec3;
 use glam::camera::rh::proj::directx::orthographic;
 use std::f32::consts::FRAC_PI_2;
@@ -101,4 +102,95 @@ fn models_look_like_their_pictures_and_like_the_quads() {
         assert_eq!(drawn(&mut rig, 50.0, MODEL_BUCKET), model, "bit for bit");
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// 2048 plants of a kind anywhere on 16 m by 16 m.
+fn meadow(plant: Plant) -> Field {
+    let species = Species::plant(plant);
+    let mut draws = Draws::new(5);
+    let blades: Vec<Blade> = (0..2048)
+        .map(|_| {
+            let place = draws.vector(-8.0, 8.0);
+            let height = draws.between(species.height_m.min, species.height_m.max);
+            Blade {
+                root: place.with_y(0.0),
+                up: Vec3::Y,
+                facing: draws.between(0.0, 6.0),
+                height,
+                width: height * plant.width_share(),
+                response: 5.0,
+                species: 0,
+            }
+        })
+        .collect();
+    field_of(vec![species], &blades, 256)
+}
+
+/// In the continuum plants of quads go on from quads to clusters and to ground, and on the way they
+/// cover as much, in the same colours.
+#[test]
+fn plants_of_quads_end_in_clusters_and_ground() {
+    let still = Wind::new(Vec::new()).expect("no wind");
+    let mut rig = Rig::new(meadow(Plant::Poppy));
+    let mut seen = [false; 4];
+    let (mut last, mut fewest) = (0, u64::MAX);
+    for step in 0..26 {
+        let away = 3.0 * 1.25_f32.powi(step);
+        let view = look(Vec3::new(0.0, 0.3 * away, away), Vec3::ZERO);
+        let culling = Culling { distance: true, ..no_culling() };
+        let bands = Bands { near_m: 1.0, ..Bands::default() };
+        let view = View { technique: Technique::Continuum, culling, bands, ..view };
+        rig.step(&Frame::new(0.01, &still), &[view]);
+        let count = |bucket: usize| rig.list(0).1[bucket].count;
+        let [middle, far] = BILLBOARD_BUCKETS.map(count);
+        let forms = [count(MODEL_BUCKET), middle + far, count(CLUSTER_BUCKET)];
+        let statistics = rig.statistics();
+        assert_eq!(statistics.clusters_drawn, u64::from(forms[2]));
+        (0..3).for_each(|form| seen[form] |= forms[form] > 0);
+        seen[3] |= forms[2] > 0 && forms[0] + forms[1] == 0;
+        last = forms.iter().sum();
+        if seen[3] && last > 0 {
+            fewest = fewest.min(statistics.blades_moved);
+        }
+    }
+    // One band of each patch is enough
+    assert!(fewest <= 2048 / 256 * 64, "{fewest} plants are run");
+    assert!(seen.iter().all(|s| *s) && last == 0, "{seen:?}, {last} are left");
+}
+
+#[test]
+fn clusters_of_plants_look_as_their_models_do() {
+    let still = Wind::new(Vec::new()).expect("no wind");
+    for plant in [Plant::MeadowGrass, Plant::Poppy] {
+        let mut rig = Rig::new(meadow(plant));
+        // Plants are 5 pixels high: all are clusters, and none has passed to the ground
+        let height = plant.height_m();
+        let focal = focal_px(&look(Vec3::Z, Vec3::ZERO));
+        let away = 0.5 * (height.min + height.max) * focal / 5.0;
+        let view = look(Vec3::new(0.0, 0.3, 1.0).normalize() * away, Vec3::ZERO);
+        let clusters = View {
+            technique: Technique::Continuum,
+            culling: Culling { distance: true, ..no_culling() },
+            ..view
+        };
+        rig.step(&Frame::new(0.01, &still), &[clusters]);
+        let clustered = rig.list(0).1[CLUSTER_BUCKET].count;
+        let quads: u32 = BILLBOARD_BUCKETS.iter().map(|b| rig.list(0).1[*b].count).sum();
+        assert!(clustered > 8 && quads < 20, "{clustered}, {quads}");
+        let far = draw(&mut rig, 0);
+        // Triangles are not filtered: what they cover, and in what colour, is right in the mean
+        let bands = Bands { near_m: 1e4, middle_m: 2e4, ..Bands::default() };
+        let (technique, culling) = (Technique::Billboards, no_culling());
+        let models = View { technique, culling, bands, ..view };
+        rig.step(&Frame::new(0.0, &still), &[models]);
+        assert_eq!(rig.list(0).1[MODEL_BUCKET].count, 2048);
+        let near = draw(&mut rig, 0);
+        let ratio = covered(&far) as f32 / covered(&near) as f32;
+        let (far, near) = (mean_color(&far), mean_color(&near));
+        println!("{plant:?}: {ratio} of the pixels; {far} as clusters, {near} as models");
+        assert!((0.7..1.3).contains(&ratio), "{plant:?}: {ratio} of the pixels");
+        // Petals let more light through than the light of a whole field knows of
+        let hue = |c: Vec3| c / c.element_sum();
+        assert!((hue(far) - hue(near)).abs().max_element() < 0.1, "{plant:?}: {far}, {near}");
+    }
 }

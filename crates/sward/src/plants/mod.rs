@@ -4,6 +4,7 @@
 //! drawn as that model; the textures of billboards are pictures of it, so that near and far agree
 //! in shape and colour. A host may give its own [`Picture`] instead.
 
+pub(crate) mod body;
 mod builder;
 mod kinds;
 pub(crate) mod layers;

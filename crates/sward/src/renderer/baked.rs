@@ -6,7 +6,7 @@ use crate::bake::cluster::clusters;
 use crate::bake::stand::Stands;
 use crate::gpu::page::Page;
 use crate::gpu::pictures::Pictures;
-use crate::{Field, Form, Technique};
+use crate::{Field, Technique};
 use std::ops::Range;
 
 /// A field, as far as something may still be baked of it.
@@ -21,12 +21,6 @@ impl Unbaked {
     /// A field that is in these pages, with the pictures of its plants.
     pub(super) fn new(field: &Field, pictures: Pictures, pages: Range<usize>) -> Self {
         Self { stands: Stands::of(field), pictures, pages }
-    }
-
-    /// Clusters are baked of blades, which flowers are not: a field with plants of quads ends in its far
-    /// quads.
-    pub(super) fn has_clusters(field: &Field) -> bool {
-        !field.species().iter().any(|s| matches!(s.form, Form::Billboard(_)))
     }
 
     fn bake(
