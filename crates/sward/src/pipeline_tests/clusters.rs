@@ -98,7 +98,8 @@ fn decisions_equal_the_reference() {
 /// The picture's cover goes on through the change.
 #[test]
 fn cover_goes_on() {
-    let mut rig = Rig::new(random_field(3, 4096, 2.0, 256));
+    // Large: a cluster at the border reaches its own radius beyond it, which blades do not
+    let mut rig = Rig::new(random_field(3, 16_384, 4.0, 256));
     let (mut all, mut all_blades) = (0, 0);
     for step in 0..16 {
         let distance = 10.0 + step as f32;
@@ -114,7 +115,7 @@ fn cover_goes_on() {
         (all, all_blades) = (all + mixed, all_blades + blades);
     }
     let ratio = all as f32 / all_blades as f32;
-    assert!((ratio - 1.0).abs() < 0.12, "{all}, {all_blades} pixels");
+    assert!((ratio - 1.0).abs() < 0.08, "{all}, {all_blades} pixels");
 }
 
 /// Nothing moves and nothing flickers where time stands still, and a saved state draws the same.
