@@ -29,7 +29,7 @@ use glam::Vec3;
 
 /// The light on grass as a whole: struct `GpuCanopy`, and the functions
 /// `canopy_radiance(up, to_eye, sway, shaded)`, `canopy_coverage(up, to_eye, sway)`,
-/// `canopy_gone(height_px)`, `canopy_on_ground(coverage, gone)` and `canopy_tint(own)`, with what
+/// `canopy_gone(height_px)`, `canopy_on_ground(coverage, gone)` and `canopy_tinted(radiance, own)`, with what
 /// they call. It declares no binding; see the module's page for what it needs.
 pub const WGSL: &str = concat!(
     include_str!("frame/light/light.wgsl"),

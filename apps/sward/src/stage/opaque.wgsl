@@ -112,7 +112,7 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
         color += sun * lit * gloss(n, v, l, in.material.w);
     }
     if grass > 0.002 {
-        let look = canopy_radiance(up, v, stance.yzw, shaded) * canopy_tint(base);
+        let look = canopy_tinted(canopy_radiance(up, v, stance.yzw, shaded), base);
         color = mix(color, look, grass);
     }
     let clear = exp(-frame.haze.w * distance(frame.eye.xyz, in.world));

@@ -11,7 +11,7 @@ pub const LEAST_WIDTH_PX: f32 = 1.4;
 
 /// Mean height of the grass, pixels at detail 1, where blades begin to turn into clusters, and where
 /// all have.
-pub const CLUSTER_HEIGHT_PX: [f32; 2] = [24.0, 14.0];
+pub const CLUSTER_HEIGHT_PX: [f32; 2] = [18.0, 10.0];
 /// Clusters are thinned and widened to this many pixels at detail 1.
 pub const LEAST_CLUSTER_PX: f32 = 4.0;
 /// Heights count so many times where segments are chosen, beside those of `Technique::Blades`: what

@@ -2,6 +2,8 @@
 // runs from the cylinder's near foot to its far top, so that it covers what the cylinder does on the
 // screen from any elevation, and never goes under the ground.
 
+const LUMINANCE: vec3<f32> = vec3<f32>(0.2126, 0.7152, 0.0722);
+
 struct ClusterVertex {
     @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
@@ -132,7 +134,12 @@ fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
     if samples == 0u {
         discard;
     }
-    let own = in.look.rgb * texel.rgb * texel.rgb / in.texels;
+    var ratio = texel.rgb * texel.rgb / in.texels;
+    if TINTED {
+        // The baked colours are of other places: what is brighter there is brighter here
+        ratio = vec3<f32>(dot(texel.rgb * texel.rgb, LUMINANCE) / dot(in.texels, LUMINANCE));
+    }
+    let own = in.look.rgb * ratio;
     let color = as_shown(own, in.look);
     return ClusterPixel(vec4<f32>(mix(color, frame.haze.rgb, in.haze), 1.0), samples);
 }

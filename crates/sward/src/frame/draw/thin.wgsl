@@ -27,7 +27,7 @@ fn thin_look(index: u32, width_px: f32) -> vec4<f32> {
     let mean = patch_light[index / field.patch_size];
     var color = mean.rgb;
     if TINTED {
-        color *= canopy_tint(unpack_color(tints[index]));
+        color = canopy_tinted(color, unpack_color(tints[index]));
     }
     return vec4<f32>(color, select(1.0, contrast(width_px), mean.a > 0.0));
 }
