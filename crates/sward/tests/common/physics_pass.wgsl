@@ -40,13 +40,13 @@ fn main(@builtin(global_invocation_id) thread: vec3<u32>) {
             test_states[i] = advance_paper(blade, state, test_gaps[i], i);
         }
         default: {
-            test_states[i] = BladeState(rest_tip(blade), 0.0);
+            test_states[i] = BladeState(settled_tip(blade), 0.0);
         }
     }
 }
 
 // The tip of an undisturbed blade: the equilibrium of recovery and gravity.
-fn rest_tip(blade: Blade) -> vec3<f32> {
+fn settled_tip(blade: Blade) -> vec3<f32> {
     let dt_s = 0.5 / blade.response;
     var tip = blade.up;
     for (var i = 0u; i < 32u; i++) {
