@@ -1,5 +1,7 @@
 // Runs a model on each blade of a list: the entry of a test, not of the library.
 
+const COLLIDERS: bool = true;
+
 @group(1) @binding(0) var<storage, read> test_blades: array<Blade>;
 @group(1) @binding(1) var<storage, read_write> test_states: array<BladeState>;
 @group(1) @binding(2) var<storage, read> test_gaps: array<f32>;
