@@ -76,13 +76,15 @@ struct Variant {
 impl Variant {
     /// Without what the work has no use for.
     fn new(work: Work, far: bool, other_forms: bool, motion: Motion, look: Look) -> Self {
+        // The group of the depth is bound all the same
+        let blind = Look { multisampled: look.multisampled, ..Look::default() };
         let still = Motion { paper: motion.paper, ..Motion::default() };
         Self {
             work,
             far,
             other_forms: other_forms && work != Work::Simulate,
             motion: if work == Work::Test { still } else { motion },
-            look: if work == Work::Simulate { Look::default() } else { look },
+            look: if work == Work::Simulate { blind } else { look },
         }
     }
 
