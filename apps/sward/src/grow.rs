@@ -111,7 +111,7 @@ mod tests {
         let error = grow(&scene, &wgpu::Limits::defaults(), GrowOptions::default()).unwrap_err();
         let error = format!("{error:#}");
         assert!(start.elapsed().as_secs_f64() < 0.5, "grew first");
-        for part in ["s.ron: field 'b': ", "67108864 blades fit", "max_storage_buffer_binding_size"]
+        for part in ["s.ron: field 'b': ", "67104768 blades fit", "max_storage_buffer_binding_size"]
         {
             assert!(error.contains(part), "{error}");
         }
