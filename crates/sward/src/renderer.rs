@@ -284,6 +284,8 @@ impl Renderer {
             self.ensure_pipelines(device, page, index, view.technique);
             let mut uniform = gpu_view(view, self.pages[page].views[index].capacity);
             self.prepare_sweep(device, encoder, (page, index), view, &mut uniform);
+            let all = view.debug.is_some_and(|debug| debug.shows_all());
+            self.pages[page].see_blocks(device, encoder, index, (&uniform, all));
             let lists = &self.pages[page].views[index];
             buffers::write(device, encoder, &lists.view, bytemuck::bytes_of(&uniform));
         }
@@ -314,6 +316,10 @@ impl Renderer {
             let Some(lists) = page.views.get(index) else { continue };
             if stage == Stage::PatchCull {
                 page.reset_view_work(encoder);
+            }
+            if lists.seen.count == 0 {
+                lists.count_nothing(encoder);
+                continue;
             }
             let mut pass = begin(encoder, "sward.frame");
             pass.set_bind_group(0, self.inputs.group(), &[]);
@@ -357,7 +363,8 @@ impl Renderer {
     /// [`Renderer::new`].
     pub fn draw(&self, pass: &mut wgpu::RenderPass, view: usize) {
         pass.set_bind_group(0, self.inputs.draw_group(), &[]);
-        for page in self.pages.iter().enumerate() {
+        let seen = |page: &Page| page.views.get(view).is_some_and(|lists| lists.seen.count > 0);
+        for page in self.pages.iter().enumerate().filter(|(_, page)| seen(page)) {
             if !self.debug.as_ref().is_some_and(|debug| debug.encode(pass, page, view)) {
                 self.draw.encode(pass, page.1, view);
             }

@@ -23,7 +23,7 @@ pub struct Statistics {
     pub billboards_drawn: u64,
     /// Those drawn as modelled plants.
     pub models_drawn: u64,
-    /// Blades that the step moved; the others sleep.
+    /// Blades that the step moved, in the blocks of patches that the view may see; the others sleep.
     pub blades_moved: u64,
     /// Failed the orientation test (a blade that fails two tests counts in both).
     pub culled_orientation: u64,
@@ -35,7 +35,7 @@ pub struct Statistics {
     pub culled_occlusion: u64,
     /// Survivors that did not fit the list.
     pub dropped: u64,
-    /// Tests of blades against spheres, capsules and boxes.
+    /// Tests of blades against spheres, capsules and boxes, in the same blocks.
     pub spheres_tested: u64,
     /// Patches that are near more chunks of 64 colliders than their list has room for: their blades
     /// look for the rest themselves, which takes longer. Nothing is left out.

@@ -6,6 +6,7 @@ pub mod buffers;
 pub mod fingerprint;
 pub mod layout;
 pub mod limits;
+pub mod lists;
 pub mod packed;
 pub mod page;
 pub mod pictures;

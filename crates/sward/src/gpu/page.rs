@@ -2,18 +2,18 @@
 
 use super::bindings;
 use super::buckets::Buckets;
-use super::buffers::{filled, storage, uniform, write, write_at};
+use super::buffers::{filled, storage, write, write_at};
 use super::layout::{
-    BAND, BLOCK, BUCKETS, GpuBand, GpuBlock, GpuDraw, GpuField, GpuSpecies, GpuView, MAX_SPECIES,
-    NEAR_STRIDE, TICKS_PER_SECOND,
+    BAND, GpuBand, GpuBlock, GpuField, GpuSpecies, GpuView, MAX_SPECIES, NEAR_STRIDE,
+    TICKS_PER_SECOND,
 };
+use super::lists::ViewLists;
 use super::packed::pack;
 use super::pictures::Pictures;
 use super::statistics::WORK_BYTES;
-use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
+use crate::frame::cull::blocks::{BlockBox, block_boxes, patches_a_block, seen_blocks};
 use crate::frame::draw::pipelines::Variant;
 use crate::frame::sweep::grid::Grid;
-use crate::frame::sweep::patches::PatchSweep;
 use crate::renderer::Layouts;
 use crate::{Field, Form, PhysicsModel, Shape, Technique};
 use bytemuck::Zeroable;
@@ -33,44 +33,6 @@ const VIEW_WORK_BYTES: u64 = 36;
 
 /// How long a new blade counts as asleep, so that it wakes into the wind that blows.
 const ASLEEP_AT_FIRST_S: f64 = 60.0;
-
-/// The draw list of one view.
-#[derive(Debug)]
-pub struct ViewLists {
-    /// Most entries.
-    pub capacity: u32,
-    /// Which of them plants may be in.
-    pub buckets: Buckets,
-    /// Which pipelines draw them.
-    pub variant: Variant,
-    /// `GpuView`.
-    pub view: wgpu::Buffer,
-    /// Range of each bucket.
-    pub draws: wgpu::Buffer,
-    /// Arguments of each bucket's draw.
-    pub indirect: wgpu::Buffer,
-    /// Failed tests.
-    pub counted: wgpu::Buffer,
-    /// The list, for tests.
-    #[cfg(test)]
-    pub list: wgpu::Buffer,
-    /// Group 2 of patch culling.
-    pub cull: wgpu::BindGroup,
-    /// Group 2 of the update.
-    pub update: wgpu::BindGroup,
-    /// Group 2 of the patches' mean light.
-    pub patch_light: wgpu::BindGroup,
-    lights: wgpu::Buffer,
-    /// Group 2 of the scan.
-    pub scan: wgpu::BindGroup,
-    /// Group 2 of compaction.
-    pub compact: wgpu::BindGroup,
-    /// Group 2 of drawing.
-    pub draw: wgpu::BindGroup,
-    /// What the view's sweep writes.
-    pub sweep: PatchSweep,
-    bytes: u64,
-}
 
 /// Up to four million blades.
 #[derive(Debug)]
@@ -104,9 +66,11 @@ pub struct Page {
     work_reset: wgpu::Buffer,
     /// Bucket, morph and fade of each blade, two a word.
     pub decisions: wgpu::Buffer,
-    blocks: wgpu::Buffer,
+    pub(super) blocks: wgpu::Buffer,
+    /// Where each of them lies.
+    boxes: Vec<BlockBox>,
     /// `GpuCanopy`.
-    canopy: wgpu::Buffer,
+    pub(super) canopy: wgpu::Buffer,
     /// Bindings 0 to 5 of drawing.
     drawn: [wgpu::Buffer; 6],
     /// Group 1 of the compute stages.
@@ -172,7 +136,7 @@ impl Page {
         let packed = pack(field, patch_range.start, patch_range.len());
         let counts = packed.field;
         let band_count = u64::from(counts.patch_count * (counts.patch_size / BAND));
-        let block_count = band_count.div_ceil(u64::from(BLOCK));
+        let boxes = block_boxes(&packed.patches, patches_a_block(counts.patch_size));
         let data = |label, content: &[u8], usage| filled(device, label, content, usage);
         let store = |label, bytes| storage(device, label, bytes, BufferUsages::empty());
         let fingerprint = packed.fingerprint(species);
@@ -195,7 +159,7 @@ impl Page {
         let work_reset =
             data("sward.work_reset", bytemuck::cast_slice(&reset), BufferUsages::empty());
         let decisions = store("sward.decisions", band_count * u64::from(BAND) * 2);
-        let blocks = store("sward.blocks", block_count * size_of::<GpuBlock>() as u64);
+        let blocks = store("sward.blocks", (boxes.len() * size_of::<GpuBlock>()) as u64);
         let shared = [&field_uniform, &species, &blades, &patches];
         let drawn =
             [&field_uniform, &species, &blades, &patches, &dynamics, &tints].map(Clone::clone);
@@ -232,6 +196,7 @@ impl Page {
             work_reset,
             decisions,
             blocks,
+            boxes,
             canopy: pictures.canopy.clone(),
             drawn,
         }
@@ -263,6 +228,27 @@ impl Page {
         write_at(device, encoder, &self.work_size, FAR_GROUPS_AT, bytemuck::bytes_of(&0_u32));
     }
 
+    /// Finds the blocks that a view may see, or has it see all.
+    pub fn see_blocks(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        index: usize,
+        (view, all): (&GpuView, bool),
+    ) {
+        let numbers = if all {
+            (0..self.block_count()).collect()
+        } else {
+            seen_blocks(&self.boxes, view, self.field.cluster)
+        };
+        self.views[index].seen.set(device, encoder, numbers);
+    }
+
+    /// Patches of a block.
+    pub fn patches_a_block(&self) -> u32 {
+        patches_a_block(self.field.patch_size)
+    }
+
     /// One group a band at work, or a few far patches.
     pub fn dispatch_work(&self, pass: &mut wgpu::ComputePass, far: bool) {
         pass.dispatch_workgroups_indirect(&self.work_size, if far { FAR_GROUPS_AT } else { 0 });
@@ -279,7 +265,7 @@ impl Page {
 
     /// Blocks of the scan.
     pub fn block_count(&self) -> u32 {
-        (self.field.patch_count * (self.field.patch_size / BAND)).div_ceil(BLOCK)
+        self.boxes.len() as u32
     }
 
     /// The buffers that carry a simulation from one step to the next; all others are made anew in
@@ -327,93 +313,14 @@ impl Page {
         self.draw_group = draw_group(device, layouts, (&self.drawn, &self.bands), pictures);
         self.canopy = pictures.canopy.clone();
         for index in 0..self.views.len() {
-            let (view, lights) = (&self.views[index].view, &self.views[index].lights);
-            self.views[index].patch_light = self.light_group(device, layouts, view, lights);
+            let ViewLists { view, seen, lights, .. } = &self.views[index];
+            let group = self.light_group(device, layouts, view, seen, lights);
+            self.views[index].patch_light = group;
         }
     }
 
     /// Which draw lists its plants may be in, in a view of that technique.
     pub fn buckets(&self, technique: Technique) -> Buckets {
         self.buckets[technique as usize]
-    }
-
-    /// Makes sure that view `index` has lists of `capacity` entries.
-    pub fn ensure_view(
-        &mut self,
-        device: &wgpu::Device,
-        layouts: &Layouts,
-        index: usize,
-        capacity: u32,
-        blade_indices: &wgpu::Buffer,
-    ) {
-        if self.views.get(index).is_some_and(|v| v.capacity == capacity) {
-            return;
-        }
-        let lists = self.view_lists(device, layouts, capacity, blade_indices);
-        if index < self.views.len() {
-            self.views[index] = lists;
-        } else {
-            self.views.push(lists);
-        }
-    }
-
-    fn light_group(
-        &self,
-        device: &wgpu::Device,
-        layouts: &Layouts,
-        view: &wgpu::Buffer,
-        lights: &wgpu::Buffer,
-    ) -> wgpu::BindGroup {
-        let list = [view, &self.bands, &self.canopy, lights];
-        bindings::buffers(device, "sward.patch_light", &layouts.patch_light, &list)
-    }
-
-    fn view_lists(
-        &self,
-        device: &wgpu::Device,
-        layouts: &Layouts,
-        capacity: u32,
-        blade_indices: &wgpu::Buffer,
-    ) -> ViewLists {
-        debug_assert_eq!(blade_indices.size(), SCAN_BLADE_INDICES_BYTES);
-        let store = |label, bytes, more| storage(device, label, bytes, more);
-        let none = BufferUsages::empty();
-        let view = uniform(device, "sward.view", size_of::<GpuView>() as u64);
-        let list = store("sward.list", u64::from(capacity) * 4, none);
-        let draws_bytes = (BUCKETS * size_of::<GpuDraw>()) as u64;
-        let draws = store("sward.draws", draws_bytes, BufferUsages::UNIFORM);
-        let lights = store("sward.patch_lights", u64::from(self.field.patch_count) * 16, none);
-        let indirect = store("sward.indirect", BUCKETS as u64 * 20, BufferUsages::INDIRECT);
-        let counted = store("sward.counted", 32, none);
-        let bind =
-            |label, layout, list: &[&wgpu::Buffer]| bindings::buffers(device, label, layout, list);
-        let sweep = PatchSweep::new(device, layouts, self.grid.as_ref(), &view);
-        let update = [&view, &self.bands, &self.work, &self.dynamics, &self.near, &self.decisions];
-        let scan = [&view, &self.bands, &self.blocks, &draws, &indirect, &counted, blade_indices];
-        let compact = [&view, &self.bands, &self.blocks, &self.work, &self.decisions, &list];
-        ViewLists {
-            capacity,
-            buckets: Buckets::default(),
-            variant: self.variant,
-            cull: bind(
-                "sward.cull",
-                &layouts.cull,
-                &[&view, &self.bands, &self.work, &self.work_size, &sweep.columns],
-            ),
-            sweep,
-            update: bind("sward.update", &layouts.update, &update),
-            scan: bind("sward.scan", &layouts.scan, &scan),
-            compact: bind("sward.compact", &layouts.compact, &compact),
-            draw: bind("sward.draw", &layouts.draw, &[&view, &list, &draws, &lights]),
-            bytes: list.size() + lights.size(),
-            patch_light: self.light_group(device, layouts, &view, &lights),
-            lights,
-            #[cfg(test)]
-            list,
-            view,
-            draws,
-            indirect,
-            counted,
-        }
     }
 }

@@ -30,6 +30,7 @@ const PHYSICS: &str = part!("frame/physics/physics.wgsl");
 const PAPER: &str = part!("frame/physics/paper.wgsl");
 const TESTS: &str = part!("frame/cull/tests.wgsl");
 const PATCH: &str = part!("frame/cull/patch.wgsl");
+const BLOCKS: &str = part!("frame/cull/blocks.wgsl");
 const CULL: &str = part!("frame/cull/cull.wgsl");
 const LEVEL: &str = part!("frame/level/level.wgsl");
 const FORM: &str = part!("frame/level/form.wgsl");
@@ -184,13 +185,16 @@ impl Shader {
         let explain = [&[STATE, BAND, VIEW][..], &level, &[TESTS, DECIDE, PATCH, EXPLAIN]].concat();
         let rest: &[&[&str]] = match self {
             Self::Collide => &[&[BAND, WORK, PRIMITIVE, COLLIDE]],
-            Self::Cull => &[&[BAND, WORK, VIEW], &level, &[PATCH, CULL]],
+            Self::Cull => &[&[BAND, WORK, VIEW], &level, &[PATCH, BLOCKS, CULL]],
             Self::Update => &[&[DEPTH_SINGLE], &collide, &update],
             Self::UpdateMultisampled => &[&[DEPTH_MULTISAMPLED], &collide, &update],
-            Self::PatchLight => {
-                &[&[BAND, VIEW], &level, &light, &[CANOPY, CANOPY_LIGHT, PATCH, PATCH_LIGHT]]
-            }
-            Self::Scan => &[&[BAND, DRAWS, VIEW, SCAN]],
+            Self::PatchLight => &[
+                &[BAND, VIEW],
+                &level,
+                &light,
+                &[CANOPY, CANOPY_LIGHT, PATCH, BLOCKS, PATCH_LIGHT],
+            ],
+            Self::Scan => &[&[BAND, DRAWS, VIEW, BLOCKS, SCAN]],
             Self::Compact => &[&[BAND, WORK, TASK, VIEW, COMPACT]],
             Self::Draw => &[&draw],
             Self::DrawLobed => &[&draw, &[LOBES, LOBED]],

@@ -1,5 +1,6 @@
 //! The GPU pipeline as a host drives it, against the stages' CPU references.
 
+mod blocks;
 mod canopy;
 mod canopy_mean;
 mod clusters;

@@ -2,7 +2,8 @@
 
 use crate::frame::level::continuum_twin::anchor_count;
 use crate::gpu::layout::{BAND, GpuBand, GpuDraw};
-use crate::gpu::page::{Page, ViewLists};
+use crate::gpu::lists::ViewLists;
+use crate::gpu::page::Page;
 use crate::gpu::test_device;
 use crate::{Field, Frame, Renderer, Statistics, Targets, View};
 use std::sync::OnceLock;

@@ -4,7 +4,8 @@ use super::Renderer;
 use crate::frame::sweep::grid::Grid;
 use crate::frame::sweep::patches::SweepStage;
 use crate::gpu::layout::GpuView;
-use crate::gpu::page::{Page, ViewLists};
+use crate::gpu::lists::ViewLists;
+use crate::gpu::page::Page;
 use crate::gpu::view::GROUND_SWEPT;
 use crate::{Technique, View};
 

@@ -25,6 +25,19 @@ impl Renderer {
         self.debug.as_ref()?.explained.get(page)
     }
 
+    /// Has a view run every block, whether it may see it or not.
+    pub(crate) fn see_every_block(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        view: usize,
+    ) {
+        for page in &mut self.pages {
+            let all = (0..page.block_count()).collect();
+            page.views[view].seen.set(device, encoder, all);
+        }
+    }
+
     /// Forgets every field.
     pub(crate) fn clear(&mut self) {
         self.pages.clear();

@@ -38,8 +38,16 @@ fn anchor_count(count: u32) -> u32 {
     return (count + CLUSTER_BLADES - 1u) / CLUSTER_BLADES;
 }
 
-// Bands of one block of the scan.
+// Most bands of a block, which is what one group of the scan sums up: whole patches.
 const BLOCK: u32 = 256u;
+
+fn patches_a_block() -> u32 {
+    return BLOCK / bands_per_patch();
+}
+
+fn bands_a_block() -> u32 {
+    return patches_a_block() * bands_per_patch();
+}
 
 struct GpuBlock {
     // Survivors by bucket; after scan_totals, the place of the block's first one in the list

@@ -34,7 +34,7 @@ fn compact(
         rank += countOneBits(atomicLoad(&masks[2u * bucket]) & beside.x);
     }
     let in_block = (bands[band].counts[bucket / 8u][(bucket / 2u) % 4u] >> (16u * (bucket & 1u))) & 0xffffu;
-    let place = blocks[band / BLOCK].buckets[bucket] + in_block + rank;
+    let place = blocks[band / bands_a_block()].buckets[bucket] + in_block + rank;
     if place < view.capacity {
         let index = task.patch_index * field.patch_size + task.local;
         list[place] = index | ((decision >> 4u) << 22u);

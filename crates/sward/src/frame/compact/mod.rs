@@ -5,7 +5,8 @@
 pub(crate) mod twin;
 
 use crate::gpu::bindings::compute;
-use crate::gpu::page::{Page, ViewLists};
+use crate::gpu::lists::ViewLists;
+use crate::gpu::page::Page;
 use crate::gpu::shaders::Shader;
 use crate::renderer::Layouts;
 
@@ -46,7 +47,7 @@ impl Compact {
     ) {
         pass.set_bind_group(2, &lists.scan, &[]);
         pass.set_pipeline(&self.scan_blocks);
-        pass.dispatch_workgroups(page.block_count(), 1, 1);
+        pass.dispatch_workgroups(lists.seen.count, 1, 1);
         pass.set_pipeline(&self.scan_totals);
         pass.dispatch_workgroups(1, 1, 1);
         pass.set_bind_group(2, &lists.compact, &[]);

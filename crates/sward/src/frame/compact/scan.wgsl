@@ -15,6 +15,7 @@ struct IndirectDraw {
 @group(2) @binding(5) var<storage, read_write> counted: array<u32, 8>;
 // Indices that one plant takes in each bucket
 @group(2) @binding(6) var<uniform> blade_indices: array<vec4<u32>, 4>;
+@group(2) @binding(7) var<uniform> seen_blocks: array<vec4<u32>, 68>;
 
 var<workgroup> low_sums: array<vec4<u32>, 256>;
 var<workgroup> high_sums: array<vec4<u32>, 256>;
@@ -39,9 +40,11 @@ fn scan_blocks(
     @builtin(local_invocation_index) lane: u32,
 ) {
     let band_count = field.patch_count * bands_per_patch();
-    let index = group.x * BLOCK + lane;
+    let block = seen_block(group.x);
+    let index = block * bands_a_block() + lane;
+    let is_band = lane < bands_a_block() && index < band_count;
     var own = array<vec4<u32>, 2>();
-    if index < band_count {
+    if is_band {
         own = bands[index].counts;
         let culled = bands[index].culled;
         atomicAdd(&failed[0], culled & 0xffu);
@@ -70,17 +73,17 @@ fn scan_blocks(
         high_sums[lane] += high;
         workgroupBarrier();
     }
-    if index < band_count {
+    if is_band {
         bands[index].counts[0] = low_sums[lane] - own[0];
         bands[index].counts[1] = high_sums[lane] - own[1];
     }
     if lane < BUCKETS {
         let pairs = array<vec4<u32>, 2>(low_sums[BLOCK - 1u], high_sums[BLOCK - 1u]);
         let pair = pairs[lane / 8u][(lane / 2u) % 4u];
-        blocks[group.x].buckets[lane] = (pair >> (16u * (lane & 1u))) & 0xffffu;
+        blocks[block].buckets[lane] = (pair >> (16u * (lane & 1u))) & 0xffffu;
     }
     if lane < COUNTED {
-        blocks[group.x].counted[lane] = atomicLoad(&failed[lane]);
+        blocks[block].counted[lane] = atomicLoad(&failed[lane]);
     }
 }
 
@@ -100,7 +103,7 @@ fn write_draw(bucket: u32) {
 // One workgroup: 16 buckets by 16 lanes, each lane a run of blocks.
 @compute @workgroup_size(256)
 fn scan_totals(@builtin(local_invocation_index) thread: u32) {
-    let block_count = (field.patch_count * bands_per_patch() + BLOCK - 1u) / BLOCK;
+    let block_count = seen_block_count();
     let bucket = thread / LANES;
     let lane = thread % LANES;
     let run = (block_count + LANES - 1u) / LANES;
@@ -109,8 +112,9 @@ fn scan_totals(@builtin(local_invocation_index) thread: u32) {
     var sum = 0u;
     var tests = 0u;
     for (var b = begin; b < end; b++) {
-        sum += blocks[b].buckets[bucket];
-        tests += blocks[b].counted[bucket % COUNTED];
+        let block = seen_block(b);
+        sum += blocks[block].buckets[bucket];
+        tests += blocks[block].counted[bucket % COUNTED];
     }
     lane_sums[thread] = sum;
     if bucket < COUNTED {
@@ -139,8 +143,9 @@ fn scan_totals(@builtin(local_invocation_index) thread: u32) {
     workgroupBarrier();
     var place = starts[bucket] + before;
     for (var b = begin; b < end; b++) {
-        let own = blocks[b].buckets[bucket];
-        blocks[b].buckets[bucket] = place;
+        let block = seen_block(b);
+        let own = blocks[block].buckets[bucket];
+        blocks[block].buckets[bucket] = place;
         place += own;
     }
 }

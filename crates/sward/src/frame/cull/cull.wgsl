@@ -1,8 +1,10 @@
-// Patch culling: one thread a patch. Lists the patches that a view can see.
+// Patch culling: one thread a patch of the seen blocks. Lists the patches that a view can see.
 
 @group(2) @binding(1) var<storage, read_write> bands: array<GpuBand>;
 @group(2) @binding(2) var<storage, read_write> work: array<vec2<u32>>;
 @group(2) @binding(3) var<storage, read_write> work_size: array<atomic<u32>, 12>;
+
+@group(2) @binding(5) var<uniform> seen_blocks: array<vec4<u32>, 68>;
 
 // First row and rows of each column of cells, where the view sweeps
 @group(2) @binding(4) var<storage, read> columns: array<vec2<u32>>;
@@ -21,7 +23,7 @@ fn list_far(entry: vec2<u32>) {
 
 @compute @workgroup_size(64)
 fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
-    let index = thread.x;
+    let index = seen_patch(thread.x);
     if index >= field.patch_count {
         return;
     }

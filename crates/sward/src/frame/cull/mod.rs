@@ -1,11 +1,13 @@
 //! Culling: patches here, one thread each; the tests of single blades run in `update`.
 
+pub(crate) mod blocks;
 #[cfg(test)]
 pub(crate) mod twin;
 
 use crate::gpu::bindings::compute;
 use crate::gpu::layout::BAND;
-use crate::gpu::page::{Page, ViewLists};
+use crate::gpu::lists::ViewLists;
+use crate::gpu::page::Page;
 use crate::gpu::shaders::Shader;
 use crate::renderer::Layouts;
 
@@ -22,10 +24,11 @@ impl Cull {
         Self { pipeline: compute(device, &module, "cull", &groups, &[]) }
     }
 
-    /// One thread a patch. Groups 0 and 1 are set.
+    /// One thread a patch of the blocks that the view may see. Groups 0 and 1 are set.
     pub(crate) fn encode(&self, pass: &mut wgpu::ComputePass, page: &Page, lists: &ViewLists) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(2, &lists.cull, &[]);
-        pass.dispatch_workgroups(page.field.patch_count.div_ceil(BAND), 1, 1);
+        let threads = lists.seen.count * page.patches_a_block();
+        pass.dispatch_workgroups(threads.div_ceil(BAND), 1, 1);
     }
 }

@@ -1,17 +1,18 @@
-// The mean light of what shows of each patch that a view sees: one thread a patch. Plants that are thin
+// The mean light of what shows of each patch that a view sees: one thread a patch of the seen blocks. Plants that are thin
 // on the screen are drawn in it more and more, see draw/thin.wgsl.
 
 @group(2) @binding(1) var<storage, read> bands: array<GpuBand>;
 @group(2) @binding(2) var<uniform> canopy: GpuCanopy;
 // rgb mean radiance; a 1, or 0 where nothing is known of the field's mean
 @group(2) @binding(3) var<storage, read_write> patch_light: array<vec4<f32>>;
+@group(2) @binding(4) var<uniform> seen_blocks: array<vec4<u32>, 68>;
 
 // Plants of a patch, spread over it, that its place is taken from.
 const PLACES: u32 = 4u;
 
 @compute @workgroup_size(64)
 fn patch_lights(@builtin(global_invocation_id) thread: vec3<u32>) {
-    let index = thread.x;
+    let index = seen_patch(thread.x);
     if index >= field.patch_count || !see_patch(patches[index]).visible {
         return;
     }

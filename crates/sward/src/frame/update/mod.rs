@@ -2,7 +2,8 @@
 //! that a blade is read once.
 
 use crate::gpu::bindings::compute;
-use crate::gpu::page::{Page, ViewLists};
+use crate::gpu::lists::ViewLists;
+use crate::gpu::page::Page;
 use crate::gpu::shaders::Shader;
 use crate::gpu::view::{HAS_DEPTH, PAPER, technique_of};
 use crate::renderer::Layouts;
