@@ -58,6 +58,11 @@ pub struct Report {
     pub patches_visible: u64,
     pub blades_visible: u64,
     pub blades_drawn: u64,
+    /// Of them, single blades by level, from 8 segments to 1.
+    #[serde(default)]
+    pub drawn_by_level: [u64; 4],
+    #[serde(default)]
+    pub clusters_drawn: u64,
     pub blades_culled: Culled,
     pub blades_dropped: u64,
     pub spheres_tested: u64,
@@ -106,6 +111,8 @@ impl Report {
             patches_visible: counted.patches_visible,
             blades_visible: counted.blades_visible,
             blades_drawn: counted.blades_drawn,
+            drawn_by_level: counted.drawn_by_level,
+            clusters_drawn: counted.clusters_drawn,
             blades_culled: Culled {
                 orientation: counted.culled_orientation,
                 frustum: counted.culled_frustum,

@@ -69,12 +69,17 @@ fn times(report: &Report, baseline: Option<&Report>) -> Table {
 fn counts(report: &Report, baseline: Option<&Report>) -> Table {
     let mut table = Table::new(with(["count", ""], baseline, ["before", "change"]));
     type Pick = fn(&Report) -> u64;
-    let rows: [(&str, Pick); 14] = [
+    let rows: [(&str, Pick); 19] = [
         ("blades", |r| r.blades_total),
         ("patches", |r| r.patches),
         ("patches visible", |r| r.patches_visible),
         ("blades in them", |r| r.blades_visible),
         ("blades drawn", |r| r.blades_drawn),
+        ("  of 8 segments", |r| r.drawn_by_level[0]),
+        ("  of 4", |r| r.drawn_by_level[1]),
+        ("  of 2", |r| r.drawn_by_level[2]),
+        ("  of 1", |r| r.drawn_by_level[3]),
+        ("  clusters", |r| r.clusters_drawn),
         ("culled by orientation", |r| r.blades_culled.orientation),
         ("culled by frustum", |r| r.blades_culled.frustum),
         ("culled by distance", |r| r.blades_culled.distance),
