@@ -4,9 +4,6 @@
 // with 64 samples a pixel, as share of that of one sample, by the width of blades in pixels w:
 // 0.43 at 0.77, 0.49 at 0.94, 0.59 at 1.53, 0.69 at 2.2, 0.79 at 3, 0.85 at 3.8: about w / (1 + w).
 
-// Samples of a pixel
-override SAMPLES: u32 = 1u;
-
 @group(1) @binding(12) var<uniform> canopy: GpuCanopy;
 // By patch: rgb the mean radiance; a 0 where none is known
 @group(2) @binding(3) var<storage, read> patch_light: array<vec4<f32>>;
