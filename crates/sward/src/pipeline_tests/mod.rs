@@ -27,6 +27,7 @@ mod solids;
 mod strip_drawing;
 mod strips;
 mod sweep;
+mod targets;
 mod tints;
 mod views;
 mod wind;

@@ -1,6 +1,6 @@
 //! Bands, corners of quads and the moving shade of the shipped shader, against their references.
 
-use super::ask::{Asked, Uniform, on_gpu};
+use super::ask::{Asked, on_gpu};
 use crate::frame::draw::quads_twin::{Plant, quad_of};
 use crate::frame::level::bands_twin::{choose, stretch};
 use crate::frame::light::shade_twin;
@@ -61,7 +61,7 @@ fn tell_shade(@builtin(global_invocation_id) thread: vec3<u32>) {
 }
 ";
 
-fn tell(entry: &str, asked: &[Asked], uniforms: &[Uniform]) -> Vec<[f32; 4]> {
+fn tell(entry: &str, asked: &[Asked], uniforms: &[(u32, u32, &[u8])]) -> Vec<[f32; 4]> {
     on_gpu((Shader::DrawBillboard, ENTRIES, entry), asked, uniforms)
 }
 
@@ -131,7 +131,7 @@ fn bands_equal_their_reference() {
             [place, [0.0; 4], [0.0; 4], [0.0; 4], [0.0; 4]]
         })
         .collect();
-    let uniforms: [Uniform; 2] =
+    let uniforms: [(u32, u32, &[u8]); 2] =
         [(1, 1, bytemuck::cast_slice(&species)), (2, 0, bytemuck::bytes_of(&uniform))];
     let mut seen = [0; 16];
     for (i, told) in (0..).zip(tell("tell_bands", &asked, &uniforms)) {
