@@ -12,7 +12,8 @@ pub enum DebugView {
     /// Every blade, those that a test drops in the colour of the first test that drops them: frustum,
     /// distance, occlusion, orientation. Blades that fail with their whole patch count as well.
     Culling,
-    /// How many segments a blade is drawn with; colours blend while one level turns into the next.
+    /// Which form a plant is drawn in, and how many segments a blade has; colours blend while one level
+    /// turns into the next.
     Level,
     /// Every blade, those that this step moved apart from those that sleep.
     Awake,
@@ -48,6 +49,11 @@ impl DebugView {
                 ("2 segments", [0.12, 0.5, 0.1]),
                 ("1 segment", [0.06, 0.2, 0.7]),
                 ("cluster of 32", [0.6, 0.1, 0.55]),
+                ("strip of 12 pieces", [0.74, 0.28, 0.03]),
+                ("strip of 3 pieces", [0.05, 0.42, 0.4]),
+                ("all quads", [0.45, 0.62, 0.06]),
+                ("half of the quads", [0.16, 0.14, 0.6]),
+                ("model", [0.7, 0.06, 0.2]),
             ],
             Self::Awake => &[
                 ("moved, seen", [0.16, 0.5, 0.08]),

@@ -11,8 +11,10 @@
 //! use glam::{Mat4, UVec2, Vec2, Vec3};
 //! use sward::{Field, FieldDesc, Frame, Gusts, Mesh, Renderer, Surface, Targets, View, Wind};
 //!
-//! # fn host() -> (wgpu::Device, wgpu::Queue, Mat4, Mat4) { unimplemented!() }
-//! # let (device, queue, view_from_world, clip_from_view) = host();
+//! # fn host(
+//! #     (device, queue): (wgpu::Device, wgpu::Queue),
+//! #     (view_from_world, clip_from_view): (Mat4, Mat4),
+//! # ) -> Result<(), sward::Error> {
 //! // Once
 //! let surface = Surface::new(Mesh::plane(Vec2::splat(20.0), UVec2::ONE)?)?;
 //! let field = Field::grow(&surface, &FieldDesc { density: 300.0, ..Default::default() })?;
@@ -35,7 +37,8 @@
 //! renderer.draw(&mut pass, 0);
 //! drop(pass);
 //! queue.submit([encoder.finish()]);
-//! # Ok::<(), sward::Error>(())
+//! # Ok(())
+//! # }
 //! ```
 //! `examples/minimal.rs` is a whole program, with its device and targets.
 //!

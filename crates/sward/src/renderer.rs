@@ -13,6 +13,7 @@ use crate::frame::update::{Look, Motion, Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
 use crate::gpu::page::Page;
+use crate::gpu::pictures;
 use crate::gpu::quantize::species_table;
 use crate::gpu::statistics::{PageCounts, ReadBack};
 use crate::gpu::uploads::Upload;
@@ -381,8 +382,15 @@ impl Renderer {
     }
 
     /// Bytes of all buffers that grow with the blades, lists included.
-    pub fn gpu_bytes(&self) -> u64 {
+    pub fn blade_bytes(&self) -> u64 {
         self.pages.iter().map(|page| page.bytes() + page.list_bytes()).sum()
+    }
+
+    /// Bytes of all that the fields hold on the GPU: [`Self::blade_bytes`], and the textures and light
+    /// of plants and clusters, which are the same for any number of blades. Clusters are there once a
+    /// view by [`Technique::Continuum`] was culled.
+    pub fn gpu_bytes(&self) -> u64 {
+        self.blade_bytes() + pictures::bytes(self.pages.iter().map(|page| &page.pictures))
     }
 }
 

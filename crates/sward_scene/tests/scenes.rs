@@ -1,7 +1,7 @@
 //! Every scene that comes with the project loads, and is what it says.
 
 use std::path::{Path, PathBuf};
-use sward_scene::{Scene, load};
+use sward_scene::{Scene, load, parse};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")
@@ -91,5 +91,27 @@ fn balls_roll_on_the_hills() {
         let (start, end) = (sphere.at(0.0), sphere.at(12.0));
         assert!(start.center.distance(end.center) > 8.0);
         assert!(sphere.path.keys().len() > 100, "follows the ground");
+    }
+}
+
+#[test]
+fn copies_stand_on_what_is_below_them() {
+    let text = r#"(
+        objects: [
+            (name: "hill", source: Terrain(size_m: 40)),
+            (source: Sphere(radius_m: 0.1, segments: 8), above: "hill", scatter: (count: 20)),
+        ],
+        fields: [(on: Object("hill"), density: 1)],
+    )"#;
+    let scene = parse(text, Path::new("scene.ron")).expect("a scene");
+    let (hill, balls) = (&scene.objects[0].mesh, &scene.objects[1].mesh);
+    for ball in balls.positions.chunks(balls.positions.len() / 20) {
+        let center = ball.iter().sum::<glam::Vec3>() / ball.len() as f32;
+        let near = hill.positions.iter().min_by(|a, b| {
+            let away = |p: &glam::Vec3| (p.x - center.x).hypot(p.z - center.z);
+            away(a).total_cmp(&away(b))
+        });
+        let ground = near.expect("ground").y;
+        assert!((center.y - ground).abs() < 0.2, "{center} over {ground}");
     }
 }

@@ -163,12 +163,13 @@ fn measure_once(
     let times = measure::measure(gpu, &mut stage, args.frames, still, &|| bar.step())?;
     let statistics = measure::statistics(gpu, &mut stage, still)?
         .context("the device gave no statistics back")?;
+    let (gpu_bytes, blade_bytes) = stage.gpu_bytes();
     let names = args.without.iter().filter_map(Without::to_possible_value);
     Ok(Report::new(
         gpu,
         scene,
         options,
         names.map(|name| name.get_name().to_string()).collect(),
-        Measured { times, statistics, gpu_bytes: stage.gpu_bytes(), patch_size, grow_s },
+        Measured { times, statistics, gpu_bytes, blade_bytes, patch_size, grow_s },
     ))
 }

@@ -62,7 +62,7 @@ pub fn run(args: Args, quiet: bool) -> Result<()> {
     let bodies: usize = scene.bodies.iter().map(sward_scene::BodyGroup::count).sum();
     facts.row(["bodies", &bodies.to_string()]);
     facts.row(["grown in", &format!("{grow_s:.2} s")]);
-    facts.row(["GPU memory of the grass", &format!("{} bytes", thousands(stage.gpu_bytes()))]);
+    facts.row(["GPU memory of the grass", &format!("{} bytes", thousands(stage.gpu_bytes().0))]);
     facts.row(["max_buffer_size", &thousands(limits.max_buffer_size)]);
     facts.row([
         "max_storage_buffer_binding_size",

@@ -72,7 +72,9 @@ pub struct Report {
     pub ms: Milliseconds,
     /// How the times were taken.
     pub timing: String,
+    /// Without textures, which are the same for any number of blades.
     pub bytes_per_blade: f64,
+    /// With them.
     pub gpu_bytes: u64,
     pub grow_s: f64,
 }
@@ -81,7 +83,9 @@ pub struct Report {
 pub struct Measured {
     pub times: Times,
     pub statistics: Statistics,
+    /// All, and those that grow with the blades.
     pub gpu_bytes: u64,
+    pub blade_bytes: u64,
     pub patch_size: u32,
     pub grow_s: f64,
 }
@@ -96,7 +100,8 @@ impl Report {
         measured: Measured,
     ) -> Self {
         let info = gpu.adapter.get_info();
-        let Measured { times, statistics: counted, gpu_bytes, patch_size, grow_s } = measured;
+        let Measured { times, statistics: counted, gpu_bytes, blade_bytes, patch_size, grow_s } =
+            measured;
         Self {
             adapter: info.name,
             driver: format!("{} {}", info.driver, info.driver_info).trim().into(),
@@ -131,7 +136,7 @@ impl Report {
                 post: Percentiles::of(&times.post),
             },
             timing: "wall clock, submitted and waited for; no timestamp queries".into(),
-            bytes_per_blade: gpu_bytes as f64 / counted.blades.max(1) as f64,
+            bytes_per_blade: blade_bytes as f64 / counted.blades.max(1) as f64,
             gpu_bytes,
             grow_s,
         }

@@ -381,9 +381,9 @@ impl Stage {
         self.renderer.statistics(&self.gpu.device)
     }
 
-    /// Bytes that the grass takes on the GPU.
-    pub fn gpu_bytes(&self) -> u64 {
-        self.renderer.gpu_bytes()
+    /// Bytes that the grass takes on the GPU: all, and those that grow with the blades.
+    pub fn gpu_bytes(&self) -> (u64, u64) {
+        (self.renderer.gpu_bytes(), self.renderer.blade_bytes())
     }
 }
 

@@ -90,7 +90,7 @@ impl Page {
         seen: &Seen,
         lights: &wgpu::Buffer,
     ) -> wgpu::BindGroup {
-        let list = [view, &self.bands, &self.canopy, lights, &seen.numbers];
+        let list = [view, &self.bands, &self.pictures.canopy, lights, &seen.numbers];
         bindings::buffers(device, "sward.patch_light", &layouts.patch_light, &list)
     }
 

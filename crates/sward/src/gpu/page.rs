@@ -69,8 +69,8 @@ pub struct Page {
     pub(super) blocks: wgpu::Buffer,
     /// Where each of them lies.
     boxes: Vec<BlockBox>,
-    /// `GpuCanopy`.
-    pub(super) canopy: wgpu::Buffer,
+    /// Of its field: other pages may hold the same.
+    pub pictures: Pictures,
     /// Bindings 0 to 5 of drawing.
     drawn: [wgpu::Buffer; 6],
     /// Group 1 of the compute stages.
@@ -197,7 +197,7 @@ impl Page {
             decisions,
             blocks,
             boxes,
-            canopy: pictures.canopy.clone(),
+            pictures: pictures.clone(),
             drawn,
         }
     }
@@ -311,7 +311,7 @@ impl Page {
         self.field.layers = layers;
         write(device, encoder, &self.drawn[0], bytemuck::bytes_of(&self.field));
         self.draw_group = draw_group(device, layouts, (&self.drawn, &self.bands), pictures);
-        self.canopy = pictures.canopy.clone();
+        self.pictures = pictures.clone();
         for index in 0..self.views.len() {
             let ViewLists { view, seen, lights, .. } = &self.views[index];
             let group = self.light_group(device, layouts, view, seen, lights);

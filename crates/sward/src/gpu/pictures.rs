@@ -58,6 +58,39 @@ fn models(device: &wgpu::Device, rows: u32) -> (wgpu::Texture, wgpu::TextureView
     (texture, view)
 }
 
+/// Bytes of a texture's texels, all its mips and layers.
+fn texel_bytes(texture: &wgpu::Texture) -> u64 {
+    let texel = texture.format().block_copy_size(None).unwrap_or(0);
+    let level = |mip: u32| {
+        let side = |size: u32| u64::from((size >> mip).max(1));
+        side(texture.width()) * side(texture.height())
+    };
+    let texels: u64 = (0..texture.mip_level_count()).map(level).sum();
+    texels * u64::from(texture.depth_or_array_layers()) * u64::from(texel)
+}
+
+/// Bytes of all textures and canopies in these pictures, each counted once.
+pub fn bytes<'a>(pictures: impl Iterator<Item = &'a Pictures>) -> u64 {
+    let (mut textures, mut canopies) = (Vec::new(), Vec::new());
+    for own in pictures {
+        let views = [
+            &own.cluster_color,
+            &own.cluster_shape,
+            &own.plant_color,
+            &own.plant_normal,
+            &own.plant_models,
+        ];
+        textures.extend(views.map(wgpu::TextureView::texture));
+        canopies.push(&own.canopy);
+    }
+    textures.sort_unstable();
+    textures.dedup();
+    canopies.sort_unstable();
+    canopies.dedup();
+    let texels = textures.into_iter().map(texel_bytes).sum::<u64>();
+    texels + canopies.into_iter().map(wgpu::Buffer::size).sum::<u64>()
+}
+
 impl Pictures {
     /// The uniform of a canopy.
     pub fn canopy_buffer(device: &wgpu::Device, canopy: &GpuCanopy) -> wgpu::Buffer {

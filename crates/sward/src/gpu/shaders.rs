@@ -42,6 +42,10 @@ const DECIDE: &str = part!("frame/update/decide.wgsl");
 const EXPLAIN: &str = part!("frame/debug/explain.wgsl");
 const DEBUG_COLORS: &str = part!("frame/debug/colors.wgsl");
 const DEBUG_CLUSTER: &str = part!("frame/debug/cluster.wgsl");
+const DEBUG_CARDS: &str = part!("frame/debug/cards.wgsl");
+const DEBUG_BILLBOARD: &str = part!("frame/debug/billboard.wgsl");
+const DEBUG_STRIP: &str = part!("frame/debug/strip.wgsl");
+const DEBUG_MODEL: &str = part!("frame/debug/model.wgsl");
 const DEBUG: &str = part!("frame/debug/debug.wgsl");
 const TASK: &str = part!("frame/update/task.wgsl");
 const UPDATE: &str = part!("frame/update/update.wgsl");
@@ -111,6 +115,12 @@ pub enum Shader {
     DrawDebug,
     /// Clusters likewise.
     DrawDebugCluster,
+    /// Plants as quads likewise.
+    DrawDebugBillboard,
+    /// Strips likewise.
+    DrawDebugStrip,
+    /// Modelled plants likewise.
+    DrawDebugModel,
     /// Rows of cells that a view may see.
     SweepColumns,
     /// Cells and triangles of a terrain that a view may see.
@@ -119,7 +129,7 @@ pub enum Shader {
 
 impl Shader {
     /// Every module.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 22] = [
         Self::Collide,
         Self::Cull,
         Self::Update,
@@ -137,6 +147,9 @@ impl Shader {
         Self::ExplainMultisampled,
         Self::DrawDebug,
         Self::DrawDebugCluster,
+        Self::DrawDebugBillboard,
+        Self::DrawDebugStrip,
+        Self::DrawDebugModel,
         Self::SweepColumns,
         Self::SweepTerrain,
     ];
@@ -157,7 +170,11 @@ impl Shader {
             | Self::DrawBillboard
             | Self::DrawStrip => "sward.draw",
             Self::Explain | Self::ExplainMultisampled => "sward.explain",
-            Self::DrawDebug | Self::DrawDebugCluster => "sward.debug",
+            Self::DrawDebug
+            | Self::DrawDebugCluster
+            | Self::DrawDebugBillboard
+            | Self::DrawDebugStrip
+            | Self::DrawDebugModel => "sward.debug",
             Self::SweepColumns | Self::SweepTerrain => "sward.sweep",
         }
     }
@@ -176,6 +193,9 @@ impl Shader {
         let plant =
             [&[STATE, BAND, DRAWS, VIEW, LEVEL, FORM, BANDS][..], &light, &[PLANT, PICTURES]];
         let plant = plant.concat();
+        let (billboard, model) = ([LOOK, QUADS, BILLBOARD], [LOOK, MODEL]);
+        let strip = [STRIP_LOOK, STRIP_SHAPE, STRIP];
+        let cards = [DEBUG_COLORS, DEBUG_CARDS];
         let cluster =
             [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &thin, &[PICTURES, CLUSTER]];
         let cluster = cluster.concat();
@@ -198,14 +218,17 @@ impl Shader {
             Self::Compact => &[&[BAND, WORK, TASK, VIEW, COMPACT]],
             Self::Draw => &[&draw],
             Self::DrawLobed => &[&draw, &[LOBES, LOBED]],
-            Self::DrawBillboard => &[&plant, &[LOOK, QUADS, BILLBOARD]],
-            Self::DrawModel => &[&plant, &[LOOK, MODEL]],
-            Self::DrawStrip => &[&plant, &[STRIP_LOOK, STRIP_SHAPE, STRIP]],
+            Self::DrawBillboard => &[&plant, &billboard],
+            Self::DrawModel => &[&plant, &model],
+            Self::DrawStrip => &[&plant, &strip],
             Self::Explain => &[&[DEPTH_SINGLE], &explain],
             Self::ExplainMultisampled => &[&[DEPTH_MULTISAMPLED], &explain],
             Self::DrawDebug => &[&draw, &[LOBES, LOBED, DEBUG_COLORS, DEBUG]],
             Self::DrawCluster => &[&cluster],
             Self::DrawDebugCluster => &[&cluster, &[DEBUG_COLORS, DEBUG_CLUSTER]],
+            Self::DrawDebugBillboard => &[&plant, &billboard, &cards, &[DEBUG_BILLBOARD]],
+            Self::DrawDebugStrip => &[&plant, &strip, &cards, &[DEBUG_STRIP]],
+            Self::DrawDebugModel => &[&plant, &model, &cards, &[DEBUG_MODEL]],
             // These know the ground and a view, and no field
             Self::SweepColumns => return vec![VIEW, SWEEP, SWEEP_COLUMNS],
             Self::SweepTerrain => return vec![VIEW, SWEEP, SWEEP_TERRAIN],

@@ -1,15 +1,17 @@
 //! The canopy's light, by its shipped text, against the mean of the blades' own light.
 
-use super::rig::shared;
+use super::ask::{self, Entry};
 use crate::bake::color::{tone_at, tones};
 use crate::bake::cover::{Cover, look, sine};
 use crate::bake::stand::Stands;
+use crate::gpu::layout::GpuField;
+use crate::gpu::quantize::{pack_color, species_table, unpack_color};
 use crate::gpu::shaders::Shader;
-use crate::gpu::test_device;
 use crate::plants::layers::PlantLayers;
 use crate::{Canopy, Field, FieldDesc, Light, Mesh, Surface, canopy};
+use bytemuck::Zeroable;
 use glam::{UVec2, Vec2, Vec3, Vec4};
-use wgpu::util::DeviceExt;
+use wgpu::BufferUsages as U;
 
 const FRAME: &str = "
 struct Frame { to_sun: vec4<f32>, sun: vec4<f32>, sky: vec4<f32>, ground: vec4<f32>, haze: vec4<f32> }
@@ -53,61 +55,17 @@ fn light(to_sun: Vec3) -> Light {
 }
 
 /// Runs an entry point on `given`; so many results.
-fn run(entry: &str, canopy: &Canopy, light: &Light, given: &[[f32; 4]], count: usize) -> Vec<Vec4> {
-    let (device, queue) = shared();
+fn run(name: &str, canopy: &Canopy, light: &Light, given: &[[f32; 4]], count: usize) -> Vec<Vec4> {
     let source = format!("{}{FRAME}{RUN}", canopy::WGSL);
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: None,
-        source: wgpu::ShaderSource::Wgsl(source.into()),
-    });
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: None,
-        layout: None,
-        module: &module,
-        entry_point: Some(entry),
-        compilation_options: Default::default(),
-        cache: None,
-    });
-    use wgpu::BufferUsages as U;
-    let buffer = |contents: &[u8], usage| {
-        let usage = usage | U::COPY_SRC;
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: None,
-            contents,
-            usage,
-        })
-    };
     let v = |v: Vec3| v.extend(0.0).to_array();
     let values = [v(light.to_sun), v(light.sun), v(light.sky), v(light.ground), v(light.haze)];
-    let output = buffer(&vec![0; count * 16], U::STORAGE);
-    let buffers = [
-        buffer(bytemuck::cast_slice(&values), U::UNIFORM),
-        buffer(canopy.uniform(), U::UNIFORM),
-        buffer(bytemuck::cast_slice(given), U::STORAGE),
+    let given = [
+        (0, 0, U::UNIFORM, bytemuck::cast_slice(&values)),
+        (0, 1, U::UNIFORM, canopy.uniform()),
+        (0, 2, U::STORAGE, bytemuck::cast_slice(given)),
     ];
-    // An automatic layout has what the entry point uses
-    let all: Vec<_> = (0..).zip(buffers.iter().chain([&output])).collect();
-    let entries: Vec<_> = all
-        .iter()
-        .map(|(binding, b)| wgpu::BindGroupEntry {
-            binding: *binding,
-            resource: b.as_entire_binding(),
-        })
-        .collect();
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: None,
-        layout: &pipeline.get_bind_group_layout(0),
-        entries: &entries,
-    });
-    let mut encoder = device.create_command_encoder(&Default::default());
-    let mut pass = encoder.begin_compute_pass(&Default::default());
-    pass.set_pipeline(&pipeline);
-    pass.set_bind_group(0, &group, &[]);
-    pass.dispatch_workgroups(count as u32, 1, 1);
-    drop(pass);
-    queue.submit([encoder.finish()]);
-    let found: Vec<[f32; 4]> = test_device::read(&device, &queue, &output);
-    found.into_iter().map(Vec4::from).collect()
+    let entry = Entry { source, name, constants: &[] };
+    ask::run(&entry, &given, ((0, 3), count), count as u32)
 }
 
 /// Radiance and coverage of a canopy in clear air, from that direction.
@@ -183,13 +141,7 @@ fn structs_of_the_canopy_agree() {
     assert_eq!(size("GpuLook"), Some(size_of::<GpuLook>() as u32));
 }
 
-/// The colours that are baked are those that blades are drawn in, by the shipped text.
-#[test]
-fn baked_colors_are_the_blades() {
-    let (device, queue) = shared();
-    let ids = [0_u32, 1, 77, 4000, 123_456];
-    let tone_list = [0.0_f32, 0.3, 1.0];
-    let entry = "
+const COLORS: &str = "
 @group(3) @binding(0) var<storage, read_write> colors: array<vec4<f32>>;
 @compute @workgroup_size(1)
 fn of_colors(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -202,91 +154,34 @@ fn of_colors(@builtin(global_invocation_id) id: vec3<u32>) {
     }
 }
 ";
-    let source = format!("{}{entry}", Shader::Draw.source());
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: None,
-        source: wgpu::ShaderSource::Wgsl(source.into()),
-    });
-    for tinted in [false, true] {
-        colors_agree(&device, &queue, &module, tinted, (&ids, &tone_list));
-    }
-}
 
-fn colors_agree(
-    device: &wgpu::Device,
-    queue: &wgpu::Queue,
-    module: &wgpu::ShaderModule,
-    tinted: bool,
-    (ids, tone_list): (&[u32], &[f32]),
-) {
-    let constants = [("TINTED", f64::from(u8::from(tinted)))];
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: None,
-        layout: None,
-        module,
-        entry_point: Some("of_colors"),
-        compilation_options: wgpu::PipelineCompilationOptions {
-            constants: &constants,
-            ..Default::default()
-        },
-        cache: None,
-    });
-    use wgpu::BufferUsages as U;
-    let buffer = |contents: &[u8], usage| {
-        let usage = usage | U::COPY_SRC;
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: None,
-            contents,
-            usage,
-        })
-    };
+/// The colours that are baked are those that blades are drawn in, by the shipped text.
+#[test]
+fn baked_colors_are_the_blades() {
+    let (ids, tone_list) = ([0_u32, 1, 77, 4000, 123_456], [0.0_f32, 0.3, 1.0]);
     let field = meadow();
-    let mut table =
-        crate::gpu::quantize::species_table(&field, &PlantLayers::new(std::iter::empty()));
+    let mut table = species_table(&field, &PlantLayers::new(std::iter::empty()));
     table[0].tint = 0.6;
-    let packed = crate::gpu::quantize::pack_color([0.3, 0.2, 0.7]);
-    let surface = Vec3::from(crate::gpu::quantize::unpack_color(packed));
+    let packed = pack_color([0.3, 0.2, 0.7]);
+    let surface = Vec3::from(unpack_color(packed));
     // Its first blade's id is 0
-    let counts = bytemuck::Zeroable::zeroed();
-    let counts: crate::gpu::layout::GpuField = counts;
-    let buffers = [
-        (0, buffer(bytemuck::bytes_of(&counts), U::UNIFORM)),
-        (1, buffer(bytemuck::cast_slice(&table), U::UNIFORM)),
-        (5, buffer(bytemuck::cast_slice(&vec![packed; 123_457]), U::STORAGE)),
+    let (counts, tints): (GpuField, _) = (Zeroable::zeroed(), vec![packed; 123_457]);
+    let given = [
+        (1, 0, U::UNIFORM, bytemuck::bytes_of(&counts)),
+        (1, 1, U::UNIFORM, bytemuck::cast_slice(&table)),
+        (1, 5, U::STORAGE, bytemuck::cast_slice(&tints)),
     ];
-    let group = |set: u32, entries: &[(u32, &wgpu::Buffer)]| {
-        let entries: Vec<_> = (entries.iter())
-            .map(|(binding, b)| wgpu::BindGroupEntry {
-                binding: *binding,
-                resource: b.as_entire_binding(),
-            })
-            .collect();
-        device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: None,
-            layout: &pipeline.get_bind_group_layout(set),
-            entries: &entries,
-        })
-    };
-    let output = buffer(&vec![0; ids.len() * tone_list.len() * 16], U::STORAGE);
-    let all: Vec<_> = buffers.iter().map(|(i, b)| (*i, b)).collect();
-    // An automatic layout has what the entry point uses
-    let (own, result) = (group(1, &all), group(3, &[(0, &output)]));
-    let mut encoder = device.create_command_encoder(&Default::default());
-    let mut pass = encoder.begin_compute_pass(&Default::default());
-    pass.set_pipeline(&pipeline);
-    pass.set_bind_group(1, &own, &[]);
-    pass.set_bind_group(3, &result, &[]);
-    pass.dispatch_workgroups(ids.len() as u32, 1, 1);
-    drop(pass);
-    queue.submit([encoder.finish()]);
-    let found: Vec<[f32; 4]> = test_device::read(device, queue, &output);
-    for (i, &id) in ids.iter().enumerate() {
-        let own = tones(&field.species()[0], id, if tinted { 0.6 } else { 0.0 }).on(surface);
-        for (k, &tone) in tone_list.iter().enumerate() {
-            let expected = own[0].lerp(own[1], tone);
-            let at = found[i * tone_list.len() + k];
-            let off = (Vec3::new(at[0], at[1], at[2]) - expected).abs().max_element();
-            assert!(off < 1e-4, "blade {id}, tone {tone}: {at:?} of {expected}");
+    for (tinted, tint) in [(0.0, 0.0), (1.0, 0.6)] {
+        let source = Shader::Draw.source() + COLORS;
+        let entry = Entry { source, name: "of_colors", constants: &[("TINTED", tinted)] };
+        let found = ask::run(&entry, &given, ((3, 0), 15), ids.len() as u32);
+        for (id, at) in ids.iter().zip(found.chunks(tone_list.len())) {
+            let own = tones(&field.species()[0], *id, tint).on(surface);
+            for (tone, at) in tone_list.iter().zip(at) {
+                let expected = own[0].lerp(own[1], *tone);
+                let off = (at.truncate() - expected).abs().max_element();
+                assert!(off < 1e-4, "blade {id}, tone {tone}: {at:?} of {expected}");
+            }
         }
     }
     assert_eq!(tone_at(1.0), 1.0);

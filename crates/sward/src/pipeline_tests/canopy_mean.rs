@@ -2,6 +2,7 @@
 
 use super::canopy::of_canopy;
 use super::rig::{Gpu, shared};
+use super::targets::Target;
 use crate::bake::cover::sine;
 use crate::gpu::test_device;
 use crate::{
@@ -87,109 +88,50 @@ impl Drawn {
 
     fn draw(&mut self) -> Vec<[f32; 4]> {
         let (device, queue) = &self.gpu;
-        let size = wgpu::Extent3d { width: PIXELS, height: PIXELS, depth_or_array_layers: 1 };
-        let target = |format| {
-            device.create_texture(&wgpu::TextureDescriptor {
-                label: Some("test.target"),
-                size,
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-                view_formats: &[],
-            })
-        };
-        let color = target(wgpu::TextureFormat::Rgba32Float);
-        let depth = target(wgpu::TextureFormat::Depth32Float);
-        let bytes = u64::from(PIXELS * PIXELS * 16);
-        let out = crate::gpu::buffers::storage(device, "test", bytes, wgpu::BufferUsages::empty());
+        let target = Target::new(device, [PIXELS; 2], wgpu::TextureFormat::Rgba32Float);
         let mut encoder = device.create_command_encoder(&Default::default());
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &color.create_view(&Default::default()),
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                    store: wgpu::StoreOp::Store,
-                },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &depth.create_view(&Default::default()),
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(1.0),
-                    store: wgpu::StoreOp::Store,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        });
-        self.renderer.draw(&mut pass, 0);
-        drop(pass);
-        encoder.copy_texture_to_buffer(
-            color.as_image_copy(),
-            wgpu::TexelCopyBufferInfo {
-                buffer: &out,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(PIXELS * 16),
-                    rows_per_image: None,
-                },
-            },
-            size,
-        );
+        target.record(&mut encoder, |pass| self.renderer.draw(pass, 0));
         queue.submit([encoder.finish()]);
-        test_device::read(device, queue, &out)
+        test_device::read(device, queue, &target.out)
     }
+}
+
+/// The default species of such heights and widths.
+fn kind(height_m: [f32; 2], width_m: [f32; 2]) -> Species {
+    let range = |[min, max]: [f32; 2]| Range::new(min, max);
+    Species { height_m: range(height_m), width_m: range(width_m), ..Species::default() }
 }
 
 fn dense() -> FieldDesc {
     let tall = Species {
         shape: Shape::TriangleTip { tip: 0.5 },
-        height_m: Range::new(0.33, 0.63),
-        width_m: Range::new(0.025, 0.035),
         ridge: 1.0,
-        ..Species::default()
+        ..kind([0.33, 0.63], [0.025, 0.035])
     };
     // Of reference.ron at a quarter of its size
     FieldDesc { density: 250.0, species: vec![tall], upright: 1.0, ..Default::default() }
 }
 
 fn sparse() -> FieldDesc {
-    let low = Species {
-        height_m: Range::new(0.3, 0.42),
-        width_m: Range::new(0.03, 0.04),
-        ..Species::default()
-    };
+    let low = kind([0.3, 0.42], [0.03, 0.04]);
     FieldDesc { density: 36.0, species: vec![low], ..Default::default() }
 }
 
 fn tufted() -> FieldDesc {
-    let tall = Species {
-        share: 5.0,
-        height_m: Range::new(0.45, 0.85),
-        width_m: Range::new(0.026, 0.042),
-        arch: 0.35,
-        ..Species::default()
-    };
+    let tall = Species { share: 5.0, arch: 0.35, ..kind([0.45, 0.85], [0.026, 0.042]) };
     let fine = Species {
         share: 6.0,
         shape: Shape::Triangle,
-        height_m: Range::new(0.22, 0.4),
-        width_m: Range::new(0.024, 0.036),
         response: Range::new(4.5, 7.5),
-        ..Species::default()
+        ..kind([0.22, 0.4], [0.024, 0.036])
     };
     let dry = Species {
         share: 1.2,
         shape: Shape::Triangle,
-        height_m: Range::new(0.6, 1.0),
-        width_m: Range::new(0.01, 0.016),
         droop: Range::new(0.3, 0.4),
         root_color: crate::ColorRange { from: [0.1, 0.09, 0.03], to: [0.14, 0.11, 0.04] },
         tip_color: crate::ColorRange { from: [0.5, 0.4, 0.17], to: [0.62, 0.47, 0.22] },
-        ..Species::default()
+        ..kind([0.6, 1.0], [0.01, 0.016])
     };
     let tufts = Some(Tufts { share: 0.35, radius_m: 0.9, spread_m: 0.2 });
     let species = vec![tall, fine, dry];

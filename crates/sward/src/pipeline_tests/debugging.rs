@@ -1,11 +1,19 @@
 //! Debug views: what they list, what they count as the reason, what they show; and that other views
 //! are as they were.
 
-use super::drawing::{Picture, covered, draw};
+use super::drawing::{Picture, blade, covered, draw};
 use super::rig::Rig;
-use super::scenes::{breeze, look, random_field, random_view, see_all};
+use super::scenes::{
+    Draws, SIZE, breeze, field_of, look, no_culling, random_blade, random_field, random_view,
+    see_all,
+};
 use crate::frame::draw::topology::Topology;
-use crate::{Collider, Culling, DebugView, Error, Frame, Observer, Sphere, View};
+use crate::gpu::layout::{BILLBOARD_BUCKETS, STRIP_BUCKETS};
+use crate::grow::Blade;
+use crate::{
+    Bands, Billboard, Collider, Culling, DebugView, Error, Form, Frame, Observer, Plant, Range,
+    Species, Sphere, Strip, Technique, View,
+};
 use glam::{Mat4, Vec3};
 
 fn rig() -> Rig {
@@ -139,4 +147,112 @@ fn an_observer_sees_what_another_view_culled() {
         renderer.cull(device, encoder, &[view]).expect_err("no camera")
     });
     assert!(matches!(error, Error::Setting { setting, .. } if setting == "view.observer"));
+}
+
+/// Plants of one form, up to a third of a metre wide.
+fn of_form(form: &Form) -> Rig {
+    let (width_m, height_m) = (Range::new(0.1, 0.3), Range::new(0.3, 0.9));
+    let kind = Species { form: form.clone(), width_m, height_m, ..Species::default() };
+    let (mut draws, species) = (Draws::new(1), vec![kind]);
+    let blades: Vec<_> = (0..60).map(|_| random_blade(&mut draws, &species, 2.0)).collect();
+    Rig::new(field_of(species, &blades, 64))
+}
+
+/// Pixels that have this colour, at any brightness.
+fn of_color(picture: &Picture, color: [f32; 3]) -> usize {
+    let strongest = (0..3).max_by(|a, b| color[*a].total_cmp(&color[*b])).unwrap_or(0);
+    let is_own = |p: &&[u8; 4]| {
+        let scale = f32::from(p[strongest]) / color[strongest];
+        (0..3).all(|i| (f32::from(p[i]) - color[i] * scale).abs() < 3.0)
+    };
+    picture.iter().filter(|p| p[3] > 0).filter(is_own).count()
+}
+
+/// Strips, quads and models cover in every debug view what they do in their own look, and have their
+/// form's colour where levels are shown.
+#[test]
+fn every_form_shows() {
+    let quads = Form::Billboard(Billboard::new(Plant::Daisy));
+    let strips = Form::Strip(Strip::default());
+    for (form, technique, near_m, slot) in [
+        (&strips, Technique::Strips, 0.01, 6),
+        (&quads, Technique::Billboards, 0.01, 7),
+        (&quads, Technique::Billboards, 50.0, 9),
+    ] {
+        let mut rig = of_form(form);
+        let bands = Bands { near_m, middle_m: near_m + 90.0, jitter: 0.0, ..Bands::default() };
+        let eye = look(Vec3::new(0.0, 1.5, 4.0), Vec3::ZERO);
+        let plain = View { technique, bands, culling: no_culling(), ..eye };
+        let shown = picture(&mut rig, plain);
+        let full = covered(&shown);
+        assert!(full > 500, "{full}");
+        for debug in DebugView::ALL {
+            let other = picture(&mut rig, View { debug: Some(debug), ..plain });
+            let beside = shown.iter().zip(&other).filter(|(s, o)| s[3] == 0 && o[3] > 0).count();
+            let own = covered(&other);
+            println!("{slot} {debug:?}: {own} of {full} pixels, {beside} beside");
+            if debug == DebugView::Wireframe {
+                // So small, most of their pixels lie on an edge
+                assert!(own * 2 > full, "{slot}: {own} of {full} are lines");
+                continue;
+            }
+            assert!(beside == 0 && own == full, "{slot} {debug:?}: {own} of {full}, {beside}");
+            if debug == DebugView::Level {
+                let own = of_color(&other, debug.colors()[slot].1);
+                assert!(own * 20 > full * 19, "{slot}: {own} of {full} in the form's colour");
+            }
+        }
+    }
+}
+
+/// One quad of two pieces that fills the picture: four triangles, with nothing between their edges.
+#[test]
+fn a_quads_wireframe_is_the_edges_of_its_triangles() {
+    let form = Form::Billboard(Billboard { quads: 1, ..Billboard::new(Plant::Daisy) });
+    let kind = Species { form, width_m: Range::new(0.5, 1.0), ..Species::default() };
+    let own = Blade { height: 0.6, width: 0.6, ..blade(0.0, 0) };
+    let kind = Species { height_m: Range::new(0.6, 0.7), ..kind };
+    let mut rig = Rig::new(field_of(vec![kind], &[own], 64));
+    let near = look(Vec3::new(0.0, 0.3, 0.65), Vec3::new(0.0, 0.3, 0.0));
+    let bands = Bands { near_m: 0.01, jitter: 0.0, ..Bands::default() };
+    let debug = Some(DebugView::Wireframe);
+    let technique = Technique::Billboards;
+    let view = View { technique, bands, debug, culling: no_culling(), ..near };
+    let lines = picture(&mut rig, view);
+    // Up a column of the picture: bottom, diagonal, middle, diagonal, and the top where it shows
+    for column in 30..100 {
+        let pixels = lines.iter().skip(column).step_by(SIZE[0] as usize);
+        let shown: Vec<bool> = pixels.map(|p| p[3] > 0).collect();
+        let crossed = shown.windows(2).filter(|pair| !pair[0] && pair[1]).count();
+        assert!((2..=5).contains(&crossed), "{column}: {crossed}");
+    }
+    let share = covered(&lines) as f32 / lines.len() as f32;
+    assert!((0.03..0.08).contains(&share), "{share}");
+}
+
+/// Plants that no test keeps are listed in a form that their technique draws.
+#[test]
+fn what_is_dropped_shows_in_its_own_form() {
+    let quads = Form::Billboard(Billboard::new(Plant::Daisy));
+    let strips = Form::Strip(Strip::default());
+    for (form, technique, buckets) in [
+        (&strips, Technique::Strips, STRIP_BUCKETS),
+        (&strips, Technique::Continuum, STRIP_BUCKETS),
+        (&quads, Technique::Billboards, BILLBOARD_BUCKETS),
+        (&quads, Technique::Continuum, BILLBOARD_BUCKETS),
+    ] {
+        let mut rig = of_form(form);
+        let high = look(Vec3::new(0.0, 9.0, 0.01), Vec3::ZERO);
+        let observer = Some(Observer {
+            view_from_world: high.view_from_world,
+            clip_from_view: high.clip_from_view,
+        });
+        let debug = Some(DebugView::Culling);
+        let view = View { technique, debug, observer, ..super::scenes::see_none() };
+        let picture = picture(&mut rig, view);
+        let listed: u32 = buckets.iter().map(|bucket| rig.list(0).1[*bucket].count).sum();
+        assert_eq!(listed, 60, "{technique:?}");
+        let unseen = of_color(&picture, DebugView::Culling.colors()[1].1);
+        assert!(unseen > 50, "{technique:?}: {unseen} pixels");
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::rig::Gpu;
 use super::scenes::SIZE;
+use super::targets::{cleared, texture};
 use crate::View;
 use glam::Vec3;
 
@@ -10,26 +11,40 @@ pub(super) fn depth_of(view: &View, distance_m: f32) -> f32 {
     view.clip_from_view.project_point3(Vec3::new(0.0, 0.0, -distance_m)).z
 }
 
-pub(super) fn target(
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// Writes the depth that `fs` gives over the whole target.
+fn depth_pipeline(
     device: &wgpu::Device,
-    format: wgpu::TextureFormat,
+    module: &wgpu::ShaderModule,
     samples: u32,
-) -> wgpu::Texture {
-    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
-    let more = if samples == 1 {
-        wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC
-    } else {
-        wgpu::TextureUsages::TEXTURE_BINDING
-    };
-    device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("test.target"),
-        size: wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: samples,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: usage | more,
-        view_formats: &[],
+) -> wgpu::RenderPipeline {
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("test.depth"),
+        layout: None,
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("vs"),
+            compilation_options: Default::default(),
+            buffers: &[],
+        },
+        primitive: Default::default(),
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: FORMAT,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::Always),
+            stencil: Default::default(),
+            bias: Default::default(),
+        }),
+        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("fs"),
+            compilation_options: Default::default(),
+            targets: &[],
+        }),
+        multiview_mask: None,
+        cache: None,
     })
 }
 
@@ -52,43 +67,13 @@ pub(super) fn depth_texture(
         label: Some("test.depth"),
         source: wgpu::ShaderSource::Wgsl(source.into()),
     });
-    let format = wgpu::TextureFormat::Depth32Float;
-    let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("test.depth"),
-        layout: None,
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("vs"),
-            compilation_options: Default::default(),
-            buffers: &[],
-        },
-        primitive: Default::default(),
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format,
-            depth_write_enabled: Some(true),
-            depth_compare: Some(wgpu::CompareFunction::Always),
-            stencil: Default::default(),
-            bias: Default::default(),
-        }),
-        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
-        fragment: Some(wgpu::FragmentState {
-            module: &module,
-            entry_point: Some("fs"),
-            compilation_options: Default::default(),
-            targets: &[],
-        }),
-        multiview_mask: None,
-        cache: None,
-    });
-    let view = target(device, format, samples).create_view(&Default::default());
+    let pipeline = depth_pipeline(device, &module, samples);
+    let view = texture(device, SIZE, FORMAT, samples).create_view(&Default::default());
     let mut encoder = device.create_command_encoder(&Default::default());
     let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
             view: &view,
-            depth_ops: Some(wgpu::Operations {
-                load: wgpu::LoadOp::Clear(0.0),
-                store: wgpu::StoreOp::Store,
-            }),
+            depth_ops: Some(cleared(0.0)),
             stencil_ops: None,
         }),
         ..Default::default()

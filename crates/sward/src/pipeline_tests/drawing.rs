@@ -1,9 +1,9 @@
 //! Pictures of a few blades.
 
 use super::decoded::decode;
-use super::depth::target;
 use super::rig::Rig;
 use super::scenes::{SIZE, breeze, field_of, look, no_culling, random_field, see_all, species};
+use super::targets::Target;
 use crate::frame::draw::topology::Topology;
 use crate::frame::level::FULL_DETAIL_PX;
 use crate::frame::physics::twin::State;
@@ -18,47 +18,9 @@ pub(super) type Picture = Vec<[u8; 4]>;
 
 /// The blades of a view on black, alpha 0.
 pub(super) fn draw(rig: &mut Rig, view: usize) -> Picture {
-    let color = target(&rig.device, wgpu::TextureFormat::Rgba8Unorm, 1);
-    let depth = target(&rig.device, wgpu::TextureFormat::Depth32Float, 1);
-    let bytes = u64::from(SIZE[0] * SIZE[1] * 4);
-    let out = crate::gpu::buffers::storage(&rig.device, "test", bytes, wgpu::BufferUsages::empty());
-    rig.submit(|renderer, _, encoder| {
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &color.create_view(&Default::default()),
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                    store: wgpu::StoreOp::Store,
-                },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &depth.create_view(&Default::default()),
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(1.0),
-                    store: wgpu::StoreOp::Store,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        });
-        renderer.draw(&mut pass, view);
-        drop(pass);
-        encoder.copy_texture_to_buffer(
-            color.as_image_copy(),
-            wgpu::TexelCopyBufferInfo {
-                buffer: &out,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(SIZE[0] * 4),
-                    rows_per_image: None,
-                },
-            },
-            wgpu::Extent3d { width: SIZE[0], height: SIZE[1], depth_or_array_layers: 1 },
-        );
-    });
-    rig.read(&out)
+    let target = Target::new(&rig.device, SIZE, wgpu::TextureFormat::Rgba8Unorm);
+    rig.submit(|renderer, _, encoder| target.record(encoder, |pass| renderer.draw(pass, view)));
+    rig.read(&target.out)
 }
 
 pub(super) fn covered(picture: &Picture) -> usize {

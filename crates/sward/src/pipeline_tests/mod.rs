@@ -1,8 +1,10 @@
 //! The GPU pipeline as a host drives it, against the stages' CPU references.
 
+mod ask;
 mod blocks;
 mod canopy;
 mod canopy_mean;
+mod cards;
 mod clusters;
 mod colliders;
 mod compaction;
@@ -25,6 +27,7 @@ mod solids;
 mod strip_drawing;
 mod strips;
 mod sweep;
+mod targets;
 mod tints;
 mod views;
 mod wind;

@@ -1,10 +1,12 @@
 //! Fields that do not fit one binding, and fields that do not fit at all.
 
 use super::rig::{Gpu, Rig, shared};
-use super::scenes::{breeze, random_field, random_view, see_all};
+use super::scenes::{breeze, field_of, random_field, random_view, see_all};
 use crate::gpu::limits::{check_blades, check_device, page_blades};
 use crate::gpu::test_device;
-use crate::{Collider, Error, Frame, Renderer, Sphere, Targets};
+use crate::{
+    Collider, Error, Frame, Plant, Range, Renderer, Species, Sphere, Targets, Technique, View,
+};
 use glam::Vec3;
 
 /// A device whose storage bindings hold few blades.
@@ -130,4 +132,34 @@ fn the_renderer_is_refused_before_its_pipelines_are_made() {
     let targets = Targets::single_sampled(wgpu::TextureFormat::Rgba8Unorm);
     let error = Renderer::new(&device, targets).expect_err("three groups are too few");
     assert!(matches!(error, Error::Limit { limit: "max_bind_groups", .. }), "{error}");
+}
+
+/// Textures and canopies count, those that pages share once.
+#[test]
+fn bytes_on_the_gpu_are_those_of_blades_and_pictures() {
+    let pictures = |rig: &Rig| rig.renderer.gpu_bytes() - rig.renderer.blade_bytes();
+    let continuum = [View { technique: Technique::Continuum, ..see_all() }];
+    let field = random_field(1, 3000, 3.0, 64);
+    let mut one = Rig::on(shared(), field.clone());
+    let mut several = Rig::on(small(1 << 14), field.clone());
+    assert!(several.renderer.pages().len() > 2);
+    let plain = pictures(&one);
+    assert!(plain > 0 && plain == pictures(&several));
+    for rig in [&mut one, &mut several] {
+        rig.cull(&continuum);
+    }
+    let clusters = &one.page(0).pictures.cluster_color.texture().size();
+    let texels = clusters.width * clusters.height * clusters.depth_or_array_layers;
+    let more = (pictures(&one) - plain) as f64 / f64::from(2 * 4 * texels);
+    assert!((1.2..1.4).contains(&more), "two arrays with mips: {more}");
+    assert_eq!(pictures(&one), pictures(&several));
+    // Four variants from three sides each, in two arrays with mips; and a row of points a variant
+    let daisies = Species {
+        height_m: Range::new(0.01, 2.0),
+        width_m: Range::new(0.001, 1.0),
+        ..Species::plant(Plant::Daisy)
+    };
+    one.replace(field_of(vec![daisies.clone(), daisies], field.blades(), 64));
+    let layers = (pictures(&one) - plain - 3 * 640 * 16) as f64 / f64::from(2 * 4 * 128 * 128);
+    assert!((12.0 * 1.3..12.0 * 1.34).contains(&layers), "{layers}");
 }

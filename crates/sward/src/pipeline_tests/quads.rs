@@ -1,12 +1,11 @@
 //! Bands, corners of quads and the moving shade of the shipped shader, against their references.
 
-use super::rig::shared;
+use super::ask::{Asked, on_gpu};
 use crate::frame::draw::quads_twin::{Plant, quad_of};
 use crate::frame::level::bands_twin::{choose, stretch};
 use crate::frame::light::shade_twin;
 use crate::gpu::layout::{GpuFrame, GpuSpecies, MAX_SPECIES};
 use crate::gpu::shaders::Shader;
-use crate::gpu::test_device::read;
 use crate::gpu::view::gpu_view;
 use crate::shared::curve_twin::project_tip;
 use crate::shared::noise_twin::hash01;
@@ -14,16 +13,11 @@ use crate::{Bands, Shade, View};
 use bytemuck::Zeroable;
 use glam::camera::rh::proj::directx::perspective_infinite as camera;
 use glam::{DVec2, DVec3, Mat4, Vec2, Vec3, dvec2};
-use wgpu::BufferUsages as U;
-use wgpu::util::DeviceExt;
 
 /// In no list.
 const NO_BUCKET: usize = 15;
 
 const ENTRIES: &str = "
-@group(3) @binding(0) var<storage, read> asked: array<array<vec4<f32>, 5>>;
-@group(3) @binding(1) var<storage, read_write> told: array<vec4<f32>>;
-
 @compute @workgroup_size(64)
 fn tell_corners(@builtin(global_invocation_id) thread: vec3<u32>) {
     if thread.x >= arrayLength(&asked) {
@@ -67,52 +61,8 @@ fn tell_shade(@builtin(global_invocation_id) thread: vec3<u32>) {
 }
 ";
 
-type Asked = [[f32; 4]; 5];
-
-/// What an entry tells; `uniforms` are the frame, the species and the view.
-fn on_gpu(entry: &str, asked: &[Asked], uniforms: [(u32, u32, &[u8]); 3]) -> Vec<[f32; 4]> {
-    let (device, queue) = shared();
-    let source = Shader::DrawBillboard.source() + ENTRIES;
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("test.quads"),
-        source: wgpu::ShaderSource::Wgsl(source.into()),
-    });
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some("test.quads"),
-        layout: None,
-        module: &module,
-        entry_point: Some(entry),
-        compilation_options: Default::default(),
-        cache: None,
-    });
-    let buffer = |contents: &[u8], usage| {
-        let desc = wgpu::util::BufferInitDescriptor { label: None, contents, usage };
-        device.create_buffer_init(&desc)
-    };
-    let places = buffer(bytemuck::cast_slice(asked), U::STORAGE);
-    let told = buffer(&vec![0; asked.len() * 16], U::STORAGE | U::COPY_SRC);
-    let group = |index: u32, entries: &[(u32, &wgpu::Buffer)]| {
-        let entries = entries.iter().map(|(binding, buffer)| wgpu::BindGroupEntry {
-            binding: *binding,
-            resource: buffer.as_entire_binding(),
-        });
-        let entries: Vec<_> = entries.collect();
-        let layout = &pipeline.get_bind_group_layout(index);
-        let desc = wgpu::BindGroupDescriptor { label: None, layout, entries: &entries };
-        device.create_bind_group(&desc)
-    };
-    let mut encoder = device.create_command_encoder(&Default::default());
-    let mut pass = encoder.begin_compute_pass(&Default::default());
-    pass.set_pipeline(&pipeline);
-    for (index, binding, bytes) in uniforms.iter().filter(|(_, _, bytes)| !bytes.is_empty()) {
-        let content = buffer(bytes, U::UNIFORM);
-        pass.set_bind_group(*index, &group(*index, &[(*binding, &content)]), &[]);
-    }
-    pass.set_bind_group(3, &group(3, &[(0, &places), (1, &told)]), &[]);
-    pass.dispatch_workgroups(asked.len().div_ceil(64) as u32, 1, 1);
-    drop(pass);
-    queue.submit([encoder.finish()]);
-    read(&device, &queue, &told)
+fn tell(entry: &str, asked: &[Asked], uniforms: &[(u32, u32, &[u8])]) -> Vec<[f32; 4]> {
+    on_gpu((Shader::DrawBillboard, ENTRIES, entry), asked, uniforms)
 }
 
 fn draw(i: u32, salt: u32) -> f32 {
@@ -159,8 +109,7 @@ fn corners_equal_their_reference() {
         };
         expected.push(plant.morphed(turn, f64::from(u), f64::from(v), f64::from(morph)));
     }
-    let none: [(u32, u32, &[u8]); 3] = [(0, 0, &[]), (1, 0, &[]), (2, 0, &[])];
-    for (i, (told, twin)) in on_gpu("tell_corners", &asked, none).iter().zip(expected).enumerate() {
+    for (i, (told, twin)) in tell("tell_corners", &asked, &[]).iter().zip(expected).enumerate() {
         let error = Vec3::from_slice(told).as_dvec3().distance(twin);
         assert!(error < 3e-5, "{i}: {error:e} of {:?}", asked[i]);
     }
@@ -182,10 +131,10 @@ fn bands_equal_their_reference() {
             [place, [0.0; 4], [0.0; 4], [0.0; 4], [0.0; 4]]
         })
         .collect();
-    let uniforms: [(u32, u32, &[u8]); 3] =
-        [(0, 0, &[]), (1, 1, bytemuck::cast_slice(&species)), (2, 0, bytemuck::bytes_of(&uniform))];
+    let uniforms: [(u32, u32, &[u8]); 2] =
+        [(1, 1, bytemuck::cast_slice(&species)), (2, 0, bytemuck::bytes_of(&uniform))];
     let mut seen = [0; 16];
-    for (i, told) in (0..).zip(on_gpu("tell_bands", &asked, uniforms)) {
+    for (i, told) in (0..).zip(tell("tell_bands", &asked, &uniforms)) {
         let [distance, keep, rank, modelled] = asked[i as usize][0];
         let stretch = stretch(&bands, detail, i);
         let twin = choose(&bands, stretch, (distance, keep, rank), modelled == 1.0);
@@ -220,9 +169,7 @@ fn shade_equals_its_reference_and_moves_with_the_sun() {
         let mut frame: GpuFrame = Zeroable::zeroed();
         frame.to_sun = to_sun.extend(0.0).to_array();
         (frame.shade, frame.shade_x, frame.shade_y) = (pattern, offset[0], offset[1]);
-        let uniforms: [(u32, u32, &[u8]); 3] =
-            [(0, 0, bytemuck::bytes_of(&frame)), (1, 0, &[]), (2, 0, &[])];
-        on_gpu("tell_shade", &asked, uniforms)
+        tell("tell_shade", &asked, &[(0, 0, bytemuck::bytes_of(&frame))])
     };
     let (morning, noon) =
         (Vec3::new(0.8, 0.4, 0.1).normalize(), Vec3::new(0.1, 1.0, 0.3).normalize());

@@ -65,8 +65,8 @@ pub fn evaluate(gpu: &Gpu, name: SceneName, scene: &Scene, settings: Settings) -
         let statistics = measure::statistics(gpu, &mut stage, false)?
             .context("the device gave no statistics back")?;
         let picture = stage.render()?;
-        let gpu_bytes = stage.gpu_bytes();
-        let measured = Measured { times, statistics, gpu_bytes, patch_size, grow_s };
+        let (gpu_bytes, blade_bytes) = stage.gpu_bytes();
+        let measured = Measured { times, statistics, gpu_bytes, blade_bytes, patch_size, grow_s };
         let report = Report::new(gpu, scene, &options, without(condition), measured);
         let spheres = stage.collider_parts();
         Ok(Run { scene: name, condition, report, spheres, picture })

@@ -222,32 +222,59 @@ fn srgb(linear: [f32; 3]) -> Color {
 
 fn legend(view: DebugView, counted: &Statistics) -> Legend {
     let of_all = |n: u64| format!("{} of {}", thousands(n), thousands(counted.blades));
-    let (title, counts): (String, Vec<u64>) = match view {
+    let title = match view {
         DebugView::Patches => {
             let (seen, all) = (thousands(counted.patches_visible), thousands(counted.patches));
-            (format!("patches: {seen} of {all} seen"), Vec::new())
+            format!("patches: {seen} of {all} seen")
         }
-        DebugView::Culling => (format!("drawn: {} blades", of_all(counted.blades_drawn)), vec![]),
-        DebugView::Level => {
-            let mut counts = counted.drawn_by_level.to_vec();
-            counts.push(counted.clusters_drawn);
-            ("level: drawn".into(), counts)
-        }
-        DebugView::Awake => (format!("moved: {} blades", of_all(counted.blades_moved)), vec![]),
+        DebugView::Culling => format!("drawn: {} blades", of_all(counted.blades_drawn)),
+        DebugView::Level => return level_legend(counted),
+        DebugView::Awake => format!("moved: {} blades", of_all(counted.blades_moved)),
         DebugView::Crush => return crush_legend(),
         _ => {
             let drawn = (thousands(counted.blades_drawn), thousands(counted.vertices));
-            (format!("{} blades, {} vertices", drawn.0, drawn.1), Vec::new())
+            format!("{} blades, {} vertices", drawn.0, drawn.1)
         }
     };
     let mut legend = Legend::new(title);
-    for (i, (meaning, color)) in view.colors().iter().enumerate() {
-        let label = match (view, counts.get(i)) {
-            (DebugView::Culling, _) => culled(meaning, counted),
-            (_, Some(count)) => format!("{meaning}: {}", thousands(*count)),
+    for (meaning, color) in view.colors() {
+        let label = match view {
+            DebugView::Culling => culled(meaning, counted),
             _ => (*meaning).to_owned(),
         };
         legend = legend.entry(srgb(*color), label);
+    }
+    legend
+}
+
+/// Blades by level, and of the other forms those that are drawn: both colours of a form that has two
+/// beside the count of both.
+fn level_legend(counted: &Statistics) -> Legend {
+    let mut legend = Legend::new("level: drawn");
+    let (mut levels, others) = DebugView::Level.colors().split_at(counted.drawn_by_level.len());
+    let forms = [
+        (1, counted.clusters_drawn),
+        (2, counted.strips_drawn),
+        (2, counted.billboards_drawn),
+        (1, counted.models_drawn),
+    ];
+    if counted.drawn_by_level == [0; 4] && forms.iter().any(|(_, count)| *count > 0) {
+        levels = &[];
+    }
+    for ((meaning, color), count) in levels.iter().zip(counted.drawn_by_level) {
+        legend = legend.entry(srgb(*color), format!("{meaning}: {}", thousands(count)));
+    }
+    let mut rest = others.iter();
+    for (colors, count) in forms {
+        for (i, (meaning, color)) in rest.by_ref().take(colors).enumerate() {
+            let label = match i {
+                0 => format!("{meaning}: {}", thousands(count)),
+                _ => format!("{meaning} (in the same count)"),
+            };
+            if count > 0 {
+                legend = legend.entry(srgb(*color), label);
+            }
+        }
     }
     legend
 }
@@ -299,6 +326,12 @@ mod tests {
             Statistics { blades: 5000, drawn_by_level: [1, 2, 3, 4], ..Default::default() };
         let level = legend(DebugView::Level, &counted);
         assert_eq!(level.entries[2].1, "2 segments: 3");
+        assert_eq!(level.entries.len(), 4, "forms that are not drawn take no room");
+        let strips = Statistics { strips_drawn: 7, models_drawn: 2, ..Default::default() };
+        let rows: Vec<_> = legend(DebugView::Level, &strips).entries;
+        let rows: Vec<_> = rows.iter().map(|(_, label)| label.as_str()).collect();
+        let few = "strip of 3 pieces (in the same count)";
+        assert_eq!(rows, ["strip of 12 pieces: 7", few, "model: 2"]);
         let culling = legend(DebugView::Culling, &counted);
         assert!(culling.entries[1].1.contains("5,000 in unseen patches"), "{culling:?}");
         assert!(legend(DebugView::Crush, &counted).bar.is_some());

@@ -7,7 +7,7 @@ struct GpuDebug {
     reserved_b: u32,
     reserved_c: u32,
     // Linear RGB by what the view tells apart
-    palette: array<vec4<f32>, 8>,
+    palette: array<vec4<f32>, 10>,
 }
 
 @group(3) @binding(0) var<uniform> debug: GpuDebug;
@@ -51,13 +51,26 @@ fn crush_color(crush: f32) -> vec3<f32> {
     return mix(low, debug.palette[2].rgb, clamp(crush - 1.0, 0.0, 1.0));
 }
 
-// Clusters, and other forms than blades, come after the levels of blades.
+// Clusters, and other forms than blades, come after the levels of blades; of each the finest comes first.
 fn level_color(morph: f32) -> vec3<f32> {
-    if BUCKET >= CLUSTER_BUCKET {
-        return debug.palette[min(4u + BUCKET - CLUSTER_BUCKET, 7u)].rgb;
+    if BUCKET < CLUSTER_BUCKET {
+        let next = debug.palette[min(BUCKET % 4u + 1u, 3u)].rgb;
+        return mix(debug.palette[BUCKET % 4u].rgb, next, morph);
     }
-    let next = debug.palette[min(BUCKET % 4u + 1u, 3u)].rgb;
-    return mix(debug.palette[BUCKET % 4u].rgb, next, morph);
+    let slot = min(max(BUCKET, CLUSTER_BUCKET) - 4u, 9u);
+    let turns = BUCKET == STRIP_BUCKET || BUCKET == BILLBOARD_BUCKET;
+    let next = debug.palette[min(slot + 1u, 9u)].rgb;
+    return mix(debug.palette[slot].rgb, next, select(0.0, morph, turns));
+}
+
+// The samples of a pixel of which so much is covered.
+fn samples_of_share(covered: f32) -> u32 {
+    return (1u << u32(round(covered * f32(SAMPLES)))) - 1u;
+}
+
+// Those that lie on an edge so many pixels away.
+fn edge_samples(pixels: f32) -> u32 {
+    return samples_of_share(clamp(EDGE_PX + 0.5 - pixels, 0.0, 1.0));
 }
 
 fn debug_color(index: u32, morph: f32, own: vec3<f32>) -> vec3<f32> {

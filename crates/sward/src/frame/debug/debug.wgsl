@@ -44,18 +44,11 @@ fn vs_debug(
     return out;
 }
 
-// Samples of a pixel that lie on an edge of the triangle.
-fn edge_samples(weights: vec3<f32>) -> u32 {
-    let pixels = weights / max(fwidth(weights), vec3<f32>(1e-6));
-    let nearest = min(pixels.x, min(pixels.y, pixels.z));
-    let covered = clamp(EDGE_PX + 0.5 - nearest, 0.0, 1.0);
-    return (1u << u32(round(covered * f32(SAMPLES)))) - 1u;
-}
-
 @fragment
 fn fs_debug(in: DebugVertex) -> Cut {
     let inside = samples_of(in.place, in.lobed);
-    let edges = edge_samples(in.weights);
+    let pixels = in.weights / max(fwidth(in.weights), vec3<f32>(1e-6));
+    let edges = edge_samples(min(pixels.x, min(pixels.y, pixels.z)));
     // A leaf's edges are those of its strip
     let samples = select(inside, edges, debug.mode == WIREFRAME);
     if samples == 0u {

@@ -25,9 +25,17 @@ fn shown(blade: Blade, decision: Decision, failed: u32) -> u32 {
     if failed == 0u {
         return decision.bits;
     }
+    let whole = 31u << 9u;
+    // In the coarsest form that the technique has for it: they are many
+    if technique() == STRIPS || (technique() == CONTINUUM && form_of(blade.species) == FORM_STRIP) {
+        return (STRIP_BUCKET + 1u) | whole;
+    }
+    if technique() != BLADES && form_of(blade.species) == FORM_BILLBOARD {
+        return FAR_BILLBOARD_BUCKET | whole;
+    }
     let level = level_of(projected_size(blade));
     let bucket = species_table[blade.species].first_bucket + level.index;
-    return bucket | (u32(round(level.morph * 31.0)) << 4u) | (31u << 9u);
+    return bucket | (u32(round(level.morph * 31.0)) << 4u) | whole;
 }
 
 @compute @workgroup_size(64)

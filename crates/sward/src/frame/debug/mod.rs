@@ -1,11 +1,13 @@
 //! Debug views: their pipelines are made when one is first asked for.
 
 use super::draw::mesh::Mesh;
-use super::draw::pipelines::{Program, Variant, constants, form_constants, pipeline};
+use super::draw::pipelines::{Modules, Program, Variant, constants, pipeline};
 use super::draw::topology::Topology;
 use crate::gpu::bindings::{self, Kind, compute, layout};
 use crate::gpu::buffers::{filled, storage};
-use crate::gpu::layout::{BLADE_BUCKETS, BUCKETS, CLUSTER_BUCKET};
+use crate::gpu::layout::{
+    BILLBOARD_BUCKETS, BLADE_BUCKETS, BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET, STRIP_BUCKETS,
+};
 use crate::gpu::lists::ViewLists;
 use crate::gpu::page::Page;
 use crate::gpu::shaders::Shader;
@@ -25,7 +27,7 @@ pub(crate) struct GpuDebug {
     pub reserved_a: u32,
     pub reserved_b: u32,
     pub reserved_c: u32,
-    pub palette: [[f32; 4]; 8],
+    pub palette: [[f32; 4]; 10],
 }
 
 /// The pipelines, and what each view shows.
@@ -81,39 +83,46 @@ fn explain_pipelines(
     })
 }
 
+/// Shader and entry points for each bucket that plants may be in.
+fn program(bucket: usize) -> Option<(Shader, &'static str, &'static str)> {
+    Some(match bucket {
+        0..BLADE_BUCKETS => (Shader::DrawDebug, "vs_debug", "fs_debug"),
+        CLUSTER_BUCKET => (Shader::DrawDebugCluster, "vs_debug_cluster", "fs_debug_cluster"),
+        _ if STRIP_BUCKETS.contains(&bucket) => {
+            (Shader::DrawDebugStrip, "vs_debug_strip", "fs_debug_strip")
+        }
+        _ if BILLBOARD_BUCKETS.contains(&bucket) => {
+            (Shader::DrawDebugBillboard, "vs_debug_quad", "fs_debug_quad")
+        }
+        MODEL_BUCKET => (Shader::DrawDebugModel, "vs_debug_model", "fs_debug_model"),
+        _ => return None,
+    })
+}
+
 fn draw_pipelines(
     device: &wgpu::Device,
     layouts: &Layouts,
     own: &wgpu::BindGroupLayout,
     targets: Targets,
 ) -> Vec<Option<wgpu::RenderPipeline>> {
-    let module = Shader::DrawDebug.module(device);
-    let cluster = Shader::DrawDebugCluster.module(device);
     let groups = [&layouts.draw_frame, &layouts.draw_field, &layouts.draw, own];
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some("sward.debug"),
         bind_group_layouts: &groups.map(Some),
         immediate_size: 0,
     });
-    let blade = |bucket| {
+    let mut modules = Modules::default();
+    let mut make = |bucket| {
+        let (shader, vertex, fragment) = program(bucket)?;
         let mut constants = constants(bucket, targets, Variant::default());
-        constants.push(("INDICES", Topology::of(bucket).indices().len() as f64));
-        let program =
-            Program { module: &module, vertex: "vs_debug", fragment: "fs_debug", masked: false };
-        pipeline(device, &layout, targets, program, &constants)
+        if bucket < BLADE_BUCKETS {
+            constants.push(("INDICES", Mesh::of(bucket).indices.len() as f64));
+        }
+        let module = &modules.get(device, shader);
+        let program = Program { module, vertex, fragment, masked: false };
+        Some(pipeline(device, &layout, targets, program, &constants))
     };
-    let cluster = |bucket| {
-        let constants = form_constants(bucket, targets, Variant::default());
-        let (vertex, fragment) = ("vs_debug_cluster", "fs_debug_cluster");
-        let program = Program { module: &cluster, vertex, fragment, masked: false };
-        pipeline(device, &layout, targets, program, &constants)
-    };
-    let make = |bucket| match bucket {
-        0..BLADE_BUCKETS => Some(blade(bucket)),
-        CLUSTER_BUCKET => Some(cluster(bucket)),
-        _ => None,
-    };
-    (0..BUCKETS).map(make).collect()
+    (0..BUCKETS).map(&mut make).collect()
 }
 
 impl Debug {

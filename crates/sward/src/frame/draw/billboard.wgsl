@@ -3,8 +3,6 @@
 
 // Pieces of a quad from bottom to top
 override PIECES: u32 = 2u;
-// Samples a pixel of the target: with several, alpha decides how many are covered
-override SAMPLES: u32 = 1u;
 
 struct QuadVertex {
     @builtin(position) clip: vec4<f32>,
@@ -38,11 +36,16 @@ fn quad_fade(quads: u32, angle: f32, morph: f32) -> vec2<f32> {
     return mix(facing_range(quads, is_even), facing_range(far_quads(quads), true), morph);
 }
 
-@vertex
-fn vs_quad(
-    @builtin(vertex_index) vertex: u32,
-    @builtin(instance_index) instance: u32,
-) -> QuadVertex {
+// How much of a quad is left that lies so to the eye.
+fn facing_share(face: vec3<f32>, up: vec3<f32>, to_eye: vec3<f32>, gone_whole: vec2<f32>) -> f32 {
+    // Seen from above all quads are turned away, and none goes
+    let level = to_eye - up * dot(to_eye, up);
+    let low = length(level);
+    let turned = smoothstep(gone_whole.x, gone_whole.y, abs(dot(face, level)) / max(low, 1e-4));
+    return mix(1.0, turned, smoothstep(0.25, 0.6, low));
+}
+
+fn quad_vertex(vertex: u32, instance: u32) -> QuadVertex {
     var out: QuadVertex;
     out.clip = HIDDEN;
     let listed = listed_plant(vertex, instance);
@@ -87,6 +90,14 @@ fn vs_quad(
     return out;
 }
 
+@vertex
+fn vs_quad(
+    @builtin(vertex_index) vertex: u32,
+    @builtin(instance_index) instance: u32,
+) -> QuadVertex {
+    return quad_vertex(vertex, instance);
+}
+
 @fragment
 fn fs_quad(in: QuadVertex, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let uv = vec2<f32>(in.place.x, 1.0 - in.place.y);
@@ -95,14 +106,8 @@ fn fs_quad(in: QuadVertex, @builtin(front_facing) front: bool) -> @location(0) v
     let to_eye = -view_ray(in.position);
     let face = unit_or(cross(in.side, in.along), in.up);
     let facing_eye = dot(face, to_eye);
-    // Seen from above all quads are turned away, and none goes
-    let level = to_eye - in.up * dot(to_eye, in.up);
-    let low = length(level);
-    let turned = smoothstep(in.size.z, in.size.w, abs(dot(face, level)) / max(low, 1e-4));
-    let shown = mix(1.0, turned, smoothstep(0.25, 0.6, low));
-    let sharp = max(fwidth(color.a), 1e-3);
-    let alpha = clamp((color.a * shown - 0.5) / sharp + 0.5, 0.0, 1.0);
-    if alpha < select(0.5, 0.03, SAMPLES > 1u) {
+    let alpha = outline_alpha(color.a, facing_share(face, in.up, to_eye, in.size.zw));
+    if alpha < least_alpha() {
         discard;
     }
     let n = shape.xyz * 2.0 - 1.0;

@@ -2,8 +2,6 @@
 // runs from the cylinder's near foot to its far top, so that it covers what the cylinder does on the
 // screen from any elevation, and never goes under the ground.
 
-const LUMINANCE: vec3<f32> = vec3<f32>(0.2126, 0.7152, 0.0722);
-
 struct ClusterVertex {
     @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
@@ -137,7 +135,7 @@ fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
     var ratio = texel.rgb * texel.rgb / in.texels;
     if TINTED {
         // The baked colours are of other places: what is brighter there is brighter here
-        ratio = vec3<f32>(dot(texel.rgb * texel.rgb, LUMINANCE) / dot(in.texels, LUMINANCE));
+        ratio = vec3<f32>(canopy_luminance(texel.rgb * texel.rgb) / canopy_luminance(in.texels));
     }
     let own = in.look.rgb * ratio;
     let color = as_shown(own, in.look);

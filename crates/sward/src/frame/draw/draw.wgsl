@@ -34,31 +34,26 @@ fn lit(point: BladePoint) -> vec3<f32> {
     return with_haze(color, distance_to(point.position));
 }
 
-@vertex
-fn vs_near(
-    @builtin(vertex_index) vertex: u32,
-    @builtin(instance_index) instance: u32,
-) -> NearVertex {
-    let point = blade_point(vertex, instance);
-    var out: NearVertex;
-    out.clip = HIDDEN;
+fn near_vertex(point: BladePoint) -> NearVertex {
     if point.hidden {
+        var out: NearVertex;
+        out.clip = HIDDEN;
         return out;
     }
-    out.clip = point.clip;
-    out.normal = point.normal;
-    out.albedo = point.albedo;
-    out.position = point.position;
-    out.height_share = point.height_share;
-    out.up = point.up;
-    out.root_open = point.root_open;
-    out.lean = point.lean;
-    out.look = point.look;
-    return out;
+    return NearVertex(
+        point.clip,
+        point.normal,
+        point.albedo,
+        point.position,
+        point.height_share,
+        point.up,
+        point.root_open,
+        point.lean,
+        point.look,
+    );
 }
 
-@fragment
-fn fs_near(in: NearVertex) -> @location(0) vec4<f32> {
+fn near_color(in: NearVertex) -> vec4<f32> {
     var point: BladePoint;
     point.position = in.position;
     point.normal = in.normal;
@@ -69,6 +64,19 @@ fn fs_near(in: NearVertex) -> @location(0) vec4<f32> {
     point.lean = in.lean;
     point.look = in.look;
     return vec4<f32>(lit(point), 1.0);
+}
+
+@vertex
+fn vs_near(
+    @builtin(vertex_index) vertex: u32,
+    @builtin(instance_index) instance: u32,
+) -> NearVertex {
+    return near_vertex(blade_point(vertex, instance));
+}
+
+@fragment
+fn fs_near(in: NearVertex) -> @location(0) vec4<f32> {
+    return near_color(in);
 }
 
 @vertex

@@ -42,22 +42,19 @@ fn vs_near_lobed(
     @builtin(instance_index) instance: u32,
 ) -> LobedNearVertex {
     let point = blade_point(vertex, instance);
-    var out: LobedNearVertex;
-    out.clip = HIDDEN;
-    if point.hidden {
-        return out;
-    }
-    out.clip = point.clip;
-    out.normal = point.normal;
-    out.albedo = point.albedo;
-    out.position = point.position;
-    out.place = place_of(point);
-    out.up = point.up;
-    out.root_open = point.root_open;
-    out.lean = point.lean;
-    out.look = point.look;
-    out.lobed = u32(point.shape == LOBED);
-    return out;
+    let own = near_vertex(point);
+    return LobedNearVertex(
+        own.clip,
+        own.normal,
+        own.albedo,
+        own.position,
+        place_of(point),
+        own.up,
+        own.root_open,
+        own.lean,
+        own.look,
+        u32(point.shape == LOBED),
+    );
 }
 
 @fragment
@@ -66,16 +63,18 @@ fn fs_near_lobed(in: LobedNearVertex) -> Cut {
     if samples == 0u {
         discard;
     }
-    var point: BladePoint;
-    point.position = in.position;
-    point.normal = in.normal;
-    point.albedo = in.albedo;
-    point.up = in.up;
-    point.height_share = in.place.x;
-    point.root_open = in.root_open;
-    point.lean = in.lean;
-    point.look = in.look;
-    return Cut(vec4<f32>(lit(point), 1.0), samples);
+    let own = NearVertex(
+        in.clip,
+        in.normal,
+        in.albedo,
+        in.position,
+        in.place.x,
+        in.up,
+        in.root_open,
+        in.lean,
+        in.look,
+    );
+    return Cut(near_color(own), samples);
 }
 
 @vertex

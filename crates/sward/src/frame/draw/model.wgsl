@@ -57,11 +57,7 @@ fn turned_over(blade: Blade, along: vec3<f32>, turn: vec2<f32>, own: vec3<f32>) 
     return leaned + along * own.y;
 }
 
-@vertex
-fn vs_model(
-    @builtin(vertex_index) vertex: u32,
-    @builtin(instance_index) instance: u32,
-) -> ModelVertex {
+fn model_vertex(vertex: u32, instance: u32) -> ModelVertex {
     var out: ModelVertex;
     out.clip = HIDDEN;
     let listed = listed_plant(vertex, instance);
@@ -109,6 +105,14 @@ fn vs_model(
     out.up = blade.up;
     out.looks = vec3<f32>(species_table[kind].form.z, lean, own.blocked);
     return out;
+}
+
+@vertex
+fn vs_model(
+    @builtin(vertex_index) vertex: u32,
+    @builtin(instance_index) instance: u32,
+) -> ModelVertex {
+    return model_vertex(vertex, instance);
 }
 
 @fragment

@@ -6,3 +6,14 @@
 @group(1) @binding(9) var plant_normal: texture_2d_array<f32>;
 @group(1) @binding(10) var picture_sampler: sampler;
 @group(1) @binding(11) var<storage, read> bands: array<GpuBand>;
+
+// Alpha at an outline as wide as a pixel, of a picture of which so much shows: with one sample a pixel it
+// is tested, with several it decides how many are covered. Derivatives are taken.
+fn outline_alpha(alpha: f32, shown: f32) -> f32 {
+    return clamp((alpha * shown - 0.5) / max(fwidth(alpha), 1e-3) + 0.5, 0.0, 1.0);
+}
+
+// What covers less than this does not show.
+fn least_alpha() -> f32 {
+    return select(0.5, 0.03, SAMPLES > 1u);
+}

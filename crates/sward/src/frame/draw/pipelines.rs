@@ -30,23 +30,41 @@ pub(crate) struct Program<'a> {
     pub(crate) masked: bool,
 }
 
-/// What the pipeline of a bucket of blades is made with.
+/// What the pipeline of a bucket is made with.
 pub(crate) fn constants(
     bucket: usize,
     targets: Targets,
     variant: Variant,
 ) -> Vec<(&'static str, f64)> {
-    let topology = Topology::of(bucket);
-    vec![
+    let own = match bucket {
+        0..BLADE_BUCKETS => {
+            let topology = Topology::of(bucket);
+            vec![
+                ("SEGMENTS", f64::from(topology.segments)),
+                ("RING", f64::from(topology.ring)),
+                ("FLAT_TIP", f64::from(u8::from(topology.flat_tip))),
+            ]
+        }
+        _ if BILLBOARD_BUCKETS.contains(&bucket) => {
+            vec![("PIECES", if bucket == BILLBOARD_BUCKETS[0] { 2.0 } else { 1.0 })]
+        }
+        _ if STRIP_BUCKETS.contains(&bucket) => {
+            let level = bucket - STRIP_BUCKETS[0];
+            vec![
+                ("SEGMENTS", f64::from(STRIP_SEGMENTS[level])),
+                ("COARSE", f64::from(STRIP_SEGMENTS[1])),
+            ]
+        }
+        _ => Vec::new(),
+    };
+    let all = [
         ("BUCKET", bucket as f64),
-        ("SEGMENTS", f64::from(topology.segments)),
-        ("RING", f64::from(topology.ring)),
-        ("FLAT_TIP", f64::from(u8::from(topology.flat_tip))),
-        ("VERTICES", f64::from(topology.vertices())),
+        ("VERTICES", f64::from(Mesh::of(bucket).vertices)),
         ("TINTED", f64::from(u8::from(variant.tinted))),
         ("SHADED", f64::from(u8::from(variant.shaded))),
         ("SAMPLES", f64::from(targets.samples)),
-    ]
+    ];
+    [&all[..], &own].concat()
 }
 
 /// A pipeline of the layout.
@@ -93,10 +111,10 @@ pub(crate) fn pipeline(
 
 /// The shader modules of drawing, each made when it is first needed.
 #[derive(Debug, Default)]
-pub(super) struct Modules(Vec<(Shader, wgpu::ShaderModule)>);
+pub(crate) struct Modules(Vec<(Shader, wgpu::ShaderModule)>);
 
 impl Modules {
-    pub(super) fn get(&mut self, device: &wgpu::Device, shader: Shader) -> wgpu::ShaderModule {
+    pub(crate) fn get(&mut self, device: &wgpu::Device, shader: Shader) -> wgpu::ShaderModule {
         if let Some((_, module)) = self.0.iter().find(|(made, _)| *made == shader) {
             return module.clone();
         }
@@ -114,125 +132,30 @@ pub(super) fn bucket_pipeline(
     variant: Variant,
     bucket: usize,
 ) -> Option<wgpu::RenderPipeline> {
-    match bucket {
-        0..BLADE_BUCKETS => {
-            Some(blade_pipeline(device, modules, (layout, targets), variant, bucket))
-        }
-        CLUSTER_BUCKET => {
-            let module = &modules.get(device, Shader::DrawCluster);
-            let program =
-                Program { module, vertex: "vs_cluster", fragment: "fs_cluster", masked: false };
-            let constants = form_constants(bucket, targets, variant);
-            Some(pipeline(device, layout, targets, program, &constants))
-        }
+    let (shader, vertex, fragment, masked) = match bucket {
+        0..BLADE_BUCKETS => blade_program(variant, bucket),
+        CLUSTER_BUCKET => (Shader::DrawCluster, "vs_cluster", "fs_cluster", false),
+        // Cut by alpha, with several samples a pixel by how many of them it covers
         _ if BILLBOARD_BUCKETS.contains(&bucket) => {
-            Some(billboard_pipeline(device, modules, (layout, targets), variant, bucket))
+            (Shader::DrawBillboard, "vs_quad", "fs_quad", true)
         }
-        _ if STRIP_BUCKETS.contains(&bucket) => {
-            Some(strip_pipeline(device, modules, (layout, targets), variant, bucket))
-        }
-        MODEL_BUCKET => Some(model_pipeline(device, modules, (layout, targets), variant)),
-        _ => None,
-    }
+        _ if STRIP_BUCKETS.contains(&bucket) => (Shader::DrawStrip, "vs_strip", "fs_strip", true),
+        MODEL_BUCKET => (Shader::DrawModel, "vs_model", "fs_model", false),
+        _ => return None,
+    };
+    let module = &modules.get(device, shader);
+    let program = Program { module, vertex, fragment, masked };
+    Some(pipeline(device, layout, targets, program, &constants(bucket, targets, variant)))
 }
 
-/// What the pipeline of a bucket of another form than blades is made with.
-pub(crate) fn form_constants(
-    bucket: usize,
-    targets: Targets,
-    variant: Variant,
-) -> Vec<(&'static str, f64)> {
-    vec![
-        ("BUCKET", bucket as f64),
-        ("VERTICES", f64::from(Mesh::of(bucket).vertices)),
-        ("TINTED", f64::from(u8::from(variant.tinted))),
-        ("SHADED", f64::from(u8::from(variant.shaded))),
-        ("SAMPLES", f64::from(targets.samples)),
-    ]
-}
-
-fn model_pipeline(
-    device: &wgpu::Device,
-    modules: &mut Modules,
-    (layout, targets): (&wgpu::PipelineLayout, Targets),
-    variant: Variant,
-) -> wgpu::RenderPipeline {
-    let constants = [
-        ("BUCKET", MODEL_BUCKET as f64),
-        ("VERTICES", f64::from(Mesh::of(MODEL_BUCKET).vertices)),
-        ("SHADED", f64::from(u8::from(variant.shaded))),
-    ];
-    let module = &modules.get(device, Shader::DrawModel);
-    let program = Program { module, vertex: "vs_model", fragment: "fs_model", masked: false };
-    pipeline(device, layout, targets, program, &constants)
-}
-
-fn blade_pipeline(
-    device: &wgpu::Device,
-    modules: &mut Modules,
-    (layout, targets): (&wgpu::PipelineLayout, Targets),
-    variant: Variant,
-    bucket: usize,
-) -> wgpu::RenderPipeline {
+fn blade_program(variant: Variant, bucket: usize) -> (Shader, &'static str, &'static str, bool) {
     // The first level is near, the others far
     let near = bucket.is_multiple_of(4);
     let lobed = variant.lobed && bucket >= 4;
-    let (shader, vertex, fragment) = match (lobed, near) {
-        (true, true) => (Shader::DrawLobed, "vs_near_lobed", "fs_near_lobed"),
-        (true, false) => (Shader::DrawLobed, "vs_far_lobed", "fs_far_lobed"),
-        (false, true) => (Shader::Draw, "vs_near", "fs_near"),
-        (false, false) => (Shader::Draw, "vs_far", "fs_far"),
-    };
-    let constants = constants(bucket, targets, variant);
-    let module = &modules.get(device, shader);
-    pipeline(
-        device,
-        layout,
-        targets,
-        Program { module, vertex, fragment, masked: false },
-        &constants,
-    )
-}
-
-/// Plants of quads: cut by alpha, with several samples a pixel by how many of them it covers.
-fn billboard_pipeline(
-    device: &wgpu::Device,
-    modules: &mut Modules,
-    (layout, targets): (&wgpu::PipelineLayout, Targets),
-    variant: Variant,
-    bucket: usize,
-) -> wgpu::RenderPipeline {
-    let constants = [
-        ("BUCKET", bucket as f64),
-        ("VERTICES", f64::from(Mesh::of(bucket).vertices)),
-        ("SHADED", f64::from(u8::from(variant.shaded))),
-        ("PIECES", if bucket == BILLBOARD_BUCKETS[0] { 2.0 } else { 1.0 }),
-        ("SAMPLES", f64::from(targets.samples)),
-    ];
-    let module = &modules.get(device, Shader::DrawBillboard);
-    let program = Program { module, vertex: "vs_quad", fragment: "fs_quad", masked: true };
-    pipeline(device, layout, targets, program, &constants)
-}
-
-/// Strips: cut by alpha as plants of quads are.
-fn strip_pipeline(
-    device: &wgpu::Device,
-    modules: &mut Modules,
-    (layout, targets): (&wgpu::PipelineLayout, Targets),
-    variant: Variant,
-    bucket: usize,
-) -> wgpu::RenderPipeline {
-    let level = bucket - STRIP_BUCKETS[0];
-    let constants = [
-        ("BUCKET", bucket as f64),
-        ("VERTICES", f64::from(Mesh::of(bucket).vertices)),
-        ("TINTED", f64::from(u8::from(variant.tinted))),
-        ("SHADED", f64::from(u8::from(variant.shaded))),
-        ("SEGMENTS", f64::from(STRIP_SEGMENTS[level])),
-        ("COARSE", f64::from(STRIP_SEGMENTS[1])),
-        ("SAMPLES", f64::from(targets.samples)),
-    ];
-    let module = &modules.get(device, Shader::DrawStrip);
-    let program = Program { module, vertex: "vs_strip", fragment: "fs_strip", masked: true };
-    pipeline(device, layout, targets, program, &constants)
+    match (lobed, near) {
+        (true, true) => (Shader::DrawLobed, "vs_near_lobed", "fs_near_lobed", false),
+        (true, false) => (Shader::DrawLobed, "vs_far_lobed", "fs_far_lobed", false),
+        (false, true) => (Shader::Draw, "vs_near", "fs_near", false),
+        (false, false) => (Shader::Draw, "vs_far", "fs_far", false),
+    }
 }

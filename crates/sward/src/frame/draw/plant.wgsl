@@ -4,6 +4,8 @@
 override BUCKET: u32 = 0u;
 // Vertices a plant
 override VERTICES: u32 = 17u;
+// Samples a pixel of the target
+override SAMPLES: u32 = 1u;
 // Whether `tints` holds a colour for each blade
 override TINTED: bool = false;
 

@@ -1,9 +1,6 @@
 // Strips (O section 4): a plant is two textured triangle strips that share their middle line, each
 // turned out of the blade's plane. One instance is 64 plants.
 
-// Of the target: with one sample alpha is tested, with more it is coverage
-override SAMPLES: u32 = 1u;
-
 struct StripVertex {
     @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(perspective, centroid) normal: vec3<f32>,
@@ -33,11 +30,7 @@ fn strip_width(blade: Blade, fade: f32) -> f32 {
     return width;
 }
 
-@vertex
-fn vs_strip(
-    @builtin(vertex_index) vertex: u32,
-    @builtin(instance_index) instance: u32,
-) -> StripVertex {
+fn strip_vertex(vertex: u32, instance: u32) -> StripVertex {
     let listed = listed_plant(vertex, instance);
     var out: StripVertex;
     out.clip = HIDDEN;
@@ -69,6 +62,14 @@ fn vs_strip(
     return out;
 }
 
+@vertex
+fn vs_strip(
+    @builtin(vertex_index) vertex: u32,
+    @builtin(instance_index) instance: u32,
+) -> StripVertex {
+    return strip_vertex(vertex, instance);
+}
+
 // Which of its species' pictures a plant has.
 fn strip_layer(blade: Blade) -> u32 {
     let look = species_table[blade.species].look;
@@ -96,9 +97,8 @@ fn fs_strip(in: StripVertex) -> @location(0) vec4<f32> {
     let uv = vec2<f32>(0.5 + 0.5 * in.place.x, 1.0 - in.place.y);
     let texel = textureSample(plant_color, picture_sampler, uv, in.look.x);
     let relief = textureSample(plant_normal, picture_sampler, uv, in.look.x);
-    // The outline: tested with one sample, with more as wide as a pixel
-    let alpha = clamp((texel.a - 0.5) / max(fwidth(texel.a), 1e-3) + 0.5, 0.0, 1.0);
-    if alpha < select(0.5, 0.03, SAMPLES > 1u) {
+    let alpha = outline_alpha(texel.a, 1.0);
+    if alpha < least_alpha() {
         discard;
     }
     let to_eye = -view_ray(in.position);

@@ -135,15 +135,18 @@ fn canopy_coverage(up: vec3<f32>, to_eye: vec3<f32>, sway: vec3<f32>) -> f32 {
     return 1.0 - mix(canopy_row_open(low, view), canopy_row_open(low + 1u, view), part);
 }
 
+fn canopy_luminance(color: vec3<f32>) -> f32 {
+    return dot(color, vec3<f32>(0.2126, 0.7152, 0.0722));
+}
+
 // The mean radiance, of plants whose surface has that colour in place of the field's mean one. The more
 // of their colour is the surface's, the more it is that colour in the mean's brightness: a ratio of
 // colours would multiply mirrored light, which has none of it.
 fn canopy_tinted(radiance: vec3<f32>, own: vec3<f32>) -> vec3<f32> {
     let color = canopy.tint.rgb + canopy.tint.w * own;
     let mean = max(canopy.tint.rgb + canopy.tint.w * canopy.tint_mean.rgb, vec3<f32>(1e-4));
-    let luminance = vec3<f32>(0.2126, 0.7152, 0.0722);
-    let received = dot(radiance, luminance) / dot(mean, luminance);
-    let share = canopy.tint.w * dot(canopy.tint_mean.rgb, luminance) / dot(mean, luminance);
+    let received = canopy_luminance(radiance) / canopy_luminance(mean);
+    let share = canopy.tint.w * canopy_luminance(canopy.tint_mean.rgb) / canopy_luminance(mean);
     let near = radiance * clamp(color / mean, vec3<f32>(0.5), vec3<f32>(2.0));
     return mix(near, color * received, clamp(share, 0.0, 1.0));
 }
