@@ -6,7 +6,7 @@ use crate::frame::cull::Cull;
 use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
 use crate::frame::draw::mesh::vertices_by_bucket;
-use crate::frame::draw::pipelines::Variant;
+use crate::frame::draw::pipelines::{DRAWING_FLAGS, Variant};
 use crate::frame::light::PatchLight;
 use crate::frame::sweep::patches::SweepStage;
 use crate::frame::update::{Look, Motion, Update, Work};
@@ -17,9 +17,9 @@ use crate::gpu::pictures;
 use crate::gpu::quantize::species_table;
 use crate::gpu::statistics::{PageCounts, ReadBack};
 use crate::gpu::uploads::Upload;
-use crate::gpu::view::{check_view, gpu_view};
+use crate::gpu::view::{Known, check_view, gpu_view};
 use crate::plants::layers::PlantLayers;
-use crate::{Error, Field, Frame, PhysicsModel, Statistics, Technique, View};
+use crate::{Error, Field, Frame, PhysicsModel, Statistics, View};
 
 mod baked;
 mod clock;
@@ -98,9 +98,9 @@ impl Renderer {
         let layouts = Layouts::new(device);
         Ok(Self {
             collide: Collide::new(device, &layouts),
-            cull: Cull::new(device, &layouts),
+            cull: Cull::new(device),
             update: Update::new(device),
-            patch_light: PatchLight::new(device, &layouts),
+            patch_light: PatchLight::new(device),
             compact: Compact::new(device, &layouts),
             draw: Draw::new(device, &layouts, targets),
             sweep: None,
@@ -282,22 +282,25 @@ impl Renderer {
             }
             let all = self.pages[page].field.blade_count;
             self.ensure_view(device, page, index, Some(view.max_blades.unwrap_or(all)));
-            self.ensure_pipelines(device, page, index, view.technique);
+            self.ensure_pipelines(device, page, index, view);
             let mut uniform = gpu_view(view, self.pages[page].views[index].capacity);
             self.prepare_sweep(device, encoder, (page, index), view, &mut uniform);
             let all = view.debug.is_some_and(|debug| debug.shows_all());
             self.pages[page].see_blocks(device, encoder, index, (&uniform, all));
-            let lists = &self.pages[page].views[index];
+            let lists = &mut self.pages[page].views[index];
+            lists.known = Known { flags: uniform.flags, ..Known::of(view) };
             buffers::write(device, encoder, &lists.view, bytemuck::bytes_of(&uniform));
         }
         Ok(())
     }
 
-    fn ensure_pipelines(&mut self, device: &wgpu::Device, page: usize, view: usize, by: Technique) {
+    fn ensure_pipelines(&mut self, device: &wgpu::Device, page: usize, index: usize, view: &View) {
         let page = &mut self.pages[page];
-        let buckets = page.buckets(by);
-        let variant = Variant { shaded: self.shaded, ..page.variant };
-        (page.views[view].buckets, page.views[view].variant) = (buckets, variant);
+        let buckets = page.buckets(view.technique);
+        let known = Some(Known::of(view).only(DRAWING_FLAGS));
+        let paper = self.model == PhysicsModel::Paper;
+        let variant = Variant { shaded: self.shaded, paper, known, ..page.variant };
+        (page.views[index].buckets, page.views[index].variant) = (buckets, variant);
         self.draw.ensure(device, variant, buckets);
     }
 
@@ -332,12 +335,12 @@ impl Renderer {
             let gpu = (device, &self.layouts);
             let mut update = |work| self.update.encode(gpu, &mut pass, (page, lists), work, look);
             match stage {
-                Stage::PatchCull => self.cull.encode(&mut pass, page, lists),
+                Stage::PatchCull => self.cull.encode(gpu, &mut pass, (page, lists)),
                 Stage::Physics => update(Work::Simulate),
                 Stage::Visibility => update(Work::Test),
                 Stage::Update => update(Work::Both),
                 Stage::Light if look.has_far_patches() => {
-                    self.patch_light.encode(&mut pass, page, lists)
+                    self.patch_light.encode(gpu, &mut pass, (page, lists))
                 }
                 Stage::Light => {}
                 Stage::Compact => {

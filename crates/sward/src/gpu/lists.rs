@@ -5,6 +5,7 @@ use super::buckets::Buckets;
 use super::buffers::{storage, uniform};
 use super::layout::{BUCKETS, GpuDraw, GpuView};
 use super::page::Page;
+use super::view::Known;
 use crate::frame::compact::SCAN_BLADE_INDICES_BYTES;
 use crate::frame::cull::blocks::Seen;
 use crate::frame::draw::pipelines::Variant;
@@ -21,6 +22,8 @@ pub struct ViewLists {
     pub buckets: Buckets,
     /// Which pipelines draw them.
     pub variant: Variant,
+    /// What its pipelines are made for.
+    pub known: Known,
     /// Which blocks of the page it may see.
     pub seen: Seen,
     /// `GpuView`.
@@ -131,6 +134,7 @@ impl Page {
             capacity,
             buckets: Buckets::default(),
             variant: self.variant,
+            known: Known::default(),
             cull: bind(
                 "sward.cull",
                 &layouts.cull,

@@ -15,6 +15,7 @@ pub mod read;
 pub mod shaders;
 pub mod statistics;
 pub mod uploads;
+pub mod variants;
 pub mod view;
 
 #[cfg(test)]

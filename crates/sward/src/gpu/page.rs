@@ -174,7 +174,7 @@ impl Page {
             variant: Variant {
                 lobed: field.species().iter().any(|s| s.shape == Shape::Dandelion),
                 tinted: !field.tints().is_empty(),
-                shaded: false,
+                ..Variant::default()
             },
             group: bindings::buffers(device, "sward.field", &layouts.field, &shared),
             draw_group: draw_group(device, layouts, (&drawn, &bands), pictures),

@@ -41,6 +41,31 @@ pub fn frustum_planes(clip_from_world: Mat4) -> [[f32; 4]; 6] {
     [w + x, w - x, w + y, w - y, z, w - z].map(normalized_plane)
 }
 
+/// What is known of a view before its pipelines are made.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub struct Known {
+    pub technique: Technique,
+    /// Bits of `GpuView::flags`.
+    pub flags: u32,
+}
+
+impl Known {
+    /// Of a view.
+    pub fn of(view: &View) -> Self {
+        Self { technique: technique_of(view), flags: flags(view) }
+    }
+
+    /// With these flags only, for stages that have no use for others.
+    pub fn only(self, flags: u32) -> Self {
+        Self { flags: self.flags & flags, ..self }
+    }
+
+    /// Values of a pipeline's constants.
+    pub fn constants(self) -> [(&'static str, f64); 2] {
+        [("TECHNIQUE", f64::from(self.technique as u32)), ("FLAGS", self.flags.into())]
+    }
+}
+
 fn flags(view: &View) -> u32 {
     let culling = view.culling;
     [

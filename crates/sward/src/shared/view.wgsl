@@ -60,13 +60,16 @@ const HAS_DEPTH: u32 = 64u;
 // A sweep has found the cells that the view may see
 const GROUND_SWEPT: u32 = 128u;
 
-// Flags that views of a pipeline may have.
+// Flags and technique of the views that a pipeline is made for: some drivers make a pipeline anew in
+// each frame for what branches on a uniform. All bits, and 4: as the view says
 override FLAGS: u32 = 0xffffffffu;
-// Their technique, where it is made for one; 4: as the view says
 override TECHNIQUE: u32 = 4u;
 
 fn has(flag: u32) -> bool {
-    return (view.flags & FLAGS & flag) != 0u;
+    if FLAGS != 0xffffffffu {
+        return (FLAGS & flag) != 0u;
+    }
+    return (view.flags & flag) != 0u;
 }
 
 fn technique() -> u32 {
@@ -78,18 +81,14 @@ fn technique() -> u32 {
 
 // Metres from the eye; of an orthographic view, from the plane of its eye.
 fn distance_to(p: vec3<f32>) -> f32 {
-    if view.eye.w < 0.5 {
-        return abs(dot(view.depth_row.xyz, p) + view.depth_row.w);
-    }
-    return distance(p, view.eye.xyz);
+    let ahead = abs(dot(view.depth_row.xyz, p) + view.depth_row.w);
+    return select(ahead, distance(p, view.eye.xyz), view.eye.w > 0.5);
 }
 
 // Unit direction in which the view sees a point.
 fn view_ray(p: vec3<f32>) -> vec3<f32> {
-    if view.eye.w < 0.5 {
-        return view.depth_row.xyz;
-    }
-    return (p - view.eye.xyz) / max(distance_to(p), 1e-6);
+    let ray = (p - view.eye.xyz) / max(distance(p, view.eye.xyz), 1e-6);
+    return select(view.depth_row.xyz, ray, view.eye.w > 0.5);
 }
 
 // Pixels that a metre covers at a distance; the same wherever the camera turns.

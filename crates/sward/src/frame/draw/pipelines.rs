@@ -7,9 +7,13 @@ use crate::gpu::layout::{
     BILLBOARD_BUCKETS, BLADE_BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET, STRIP_BUCKETS,
 };
 use crate::gpu::shaders::Shader;
+use crate::gpu::view::{DISTANCE, Known, PAPER, WIDTH_CORRECTION};
 
-/// What a field needs beyond the plain pipelines. Others do not pay for it: variants are made when
-/// the first field that needs them is added.
+/// Flags of a view that drawing asks for.
+pub(crate) const DRAWING_FLAGS: u32 = DISTANCE | PAPER | WIDTH_CORRECTION;
+
+/// What a field and a view need beyond the plain pipelines. Others do not pay for it: variants are made
+/// when they are first needed.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Variant {
     /// Has a shape with lobes, cut pixel by pixel out of flat-tipped strips.
@@ -18,6 +22,10 @@ pub(crate) struct Variant {
     pub(crate) tinted: bool,
     /// Lies in moving shade.
     pub(crate) shaded: bool,
+    /// Keeps J's state.
+    pub(crate) paper: bool,
+    /// Seen so; with the flags that drawing asks for.
+    pub(crate) known: Option<Known>,
 }
 
 /// Shader and entry points of a pipeline.
@@ -64,7 +72,12 @@ pub(crate) fn constants(
         ("SHADED", f64::from(u8::from(variant.shaded))),
         ("SAMPLES", f64::from(targets.samples)),
     ];
-    [&all[..], &own].concat()
+    // Where it is not known, the shader asks the view
+    let known = variant.known.map(|known| {
+        let [technique, flags] = known.constants();
+        [technique, flags, ("MODEL", f64::from(u8::from(variant.paper)))]
+    });
+    [&all[..], &own, known.as_slice().as_flattened()].concat()
 }
 
 /// A pipeline of the layout.

@@ -70,16 +70,15 @@ fn canopy_shares(moved: f32) -> vec4<f32> {
     let a = canopy.pose.x;
     let b = canopy.pose.y;
     let c = canopy.pose.z;
-    if a < 0.01 || b - a < 0.01 || c - b < 0.01 {
-        return vec4<f32>(1.0, 0.0, 0.0, 0.0);
-    }
+    let least = min(a, min(b - a, c - b));
     let x = clamp(moved, 0.0, c);
-    return vec4<f32>(
+    let shares = vec4<f32>(
         (x - a) * (x - b) * (x - c) / (-a * b * c),
         x * (x - b) * (x - c) / (a * (a - b) * (a - c)),
         x * (x - a) * (x - c) / (b * (b - a) * (b - c)),
         x * (x - a) * (x - b) / (c * (c - a) * (c - b)),
     );
+    return select(shares, vec4<f32>(1.0, 0.0, 0.0, 0.0), least < 0.01);
 }
 
 // `sway`: how far wind moves the mean tip, in heights; what it has along `up` does not count.

@@ -72,9 +72,6 @@ fn shade_blade(surface: BladeSurface, to_eye: vec3<f32>) -> vec3<f32> {
 }
 
 fn with_haze(color: vec3<f32>, distance: f32) -> vec3<f32> {
-    if frame.haze.w == 0.0 {
-        return color;
-    }
     let clear = exp(-frame.haze.w * distance);
-    return mix(frame.haze.rgb, color, clear);
+    return select(mix(frame.haze.rgb, color, clear), color, frame.haze.w == 0.0);
 }

@@ -5,11 +5,10 @@ use crate::gpu::bindings::compute;
 use crate::gpu::lists::ViewLists;
 use crate::gpu::page::Page;
 use crate::gpu::shaders::Shader;
-use crate::gpu::view::{HAS_DEPTH, PAPER, technique_of};
+use crate::gpu::variants::Variants;
+use crate::gpu::view::Known;
 use crate::renderer::Layouts;
 use crate::{Technique, View};
-use std::collections::HashMap;
-use std::sync::{Mutex, PoisonError};
 
 /// What a pass does with the blades.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -35,29 +34,20 @@ pub(crate) struct Motion {
 /// How a view tests blades.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub(crate) struct Look {
-    pub(crate) technique: Technique,
-    /// By the paper's tests.
-    pub(crate) paper: bool,
-    /// Has the host's depth.
-    pub(crate) depth: bool,
+    pub(crate) known: Known,
+    /// Its depth is.
     pub(crate) multisampled: bool,
 }
 
 impl Look {
     /// Of a view by that technique.
     pub(crate) fn of(view: &View, multisampled: bool) -> Self {
-        let depth = view.opaque_depth.is_some();
-        Self { technique: technique_of(view), paper: view.culling.paper, depth, multisampled }
+        Self { known: Known::of(view), multisampled }
     }
 
     /// Whether some patches may be far: clusters are all that is left of them.
     pub(crate) fn has_far_patches(self) -> bool {
-        self.technique == Technique::Continuum
-    }
-
-    fn flags(self) -> u32 {
-        let without = |on: bool, flag: u32| if on { 0 } else { flag };
-        !(without(self.paper, PAPER) | without(self.depth, HAS_DEPTH))
+        self.known.technique == Technique::Continuum
     }
 }
 
@@ -91,6 +81,7 @@ impl Variant {
 
     fn constants(self) -> [(&'static str, f64); 9] {
         let on = |x: bool| f64::from(u8::from(x));
+        let [technique, flags] = self.look.known.constants();
         [
             ("SIMULATE", on(self.work != Work::Test)),
             ("TEST", on(self.work != Work::Simulate)),
@@ -99,8 +90,8 @@ impl Variant {
             ("MODEL", on(self.motion.paper)),
             ("COLLIDERS", on(self.motion.colliders)),
             ("WIND_KINDS", self.motion.wind_kinds.into()),
-            ("TECHNIQUE", f64::from(self.look.technique as u32)),
-            ("FLAGS", self.look.flags().into()),
+            technique,
+            flags,
         ]
     }
 }
@@ -110,7 +101,7 @@ impl Variant {
 pub(crate) struct Update {
     single: wgpu::ShaderModule,
     multisampled: wgpu::ShaderModule,
-    made: Mutex<HashMap<Variant, wgpu::ComputePipeline>>,
+    made: Variants<Variant>,
     motion: Motion,
 }
 
@@ -119,7 +110,7 @@ impl Update {
         Self {
             single: Shader::Update.module(device),
             multisampled: Shader::UpdateMultisampled.module(device),
-            made: Mutex::default(),
+            made: Variants::default(),
             motion: Motion::default(),
         }
     }
@@ -144,8 +135,7 @@ impl Update {
             let groups = [&layouts.frame, &layouts.field, &layouts.update, depth];
             compute(device, module, "update", &groups, &variant.constants())
         };
-        let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
-        made.entry(variant).or_insert_with(make).clone()
+        self.made.get(variant, make)
     }
 
     /// Runs the blades at work. Groups 0, 1 and 3 are set.
