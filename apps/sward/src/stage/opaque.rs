@@ -57,7 +57,9 @@ impl Opaque {
                 GpuMesh::new(&gpu.device, &thing.mesh, placed, texture)
             })
             .collect();
-        let make = |colored| pipeline(&gpu.device, &frame.layout, &layout, samples, colored);
+        let shaded = scene.light().shade.depth > 0.0;
+        let make =
+            |colored| pipeline(&gpu.device, &frame.layout, &layout, (samples, shaded), colored);
         Self { depth: make(false), color: make(true), objects, swept, moving, placed }
     }
 
@@ -121,7 +123,7 @@ fn pipeline(
     device: &wgpu::Device,
     frame: &wgpu::BindGroupLayout,
     texture: &wgpu::BindGroupLayout,
-    samples: u32,
+    (samples, shaded): (u32, bool),
     colored: bool,
 ) -> wgpu::RenderPipeline {
     let label = "sward.stage.opaque";
@@ -162,7 +164,10 @@ fn pipeline(
         fragment: colored.then_some(wgpu::FragmentState {
             module: &shader,
             entry_point: Some("opaque_fragment"),
-            compilation_options: Default::default(),
+            compilation_options: wgpu::PipelineCompilationOptions {
+                constants: &[("SHADED", f64::from(u8::from(shaded)))],
+                ..Default::default()
+            },
             targets: &[Some(COLOR_FORMAT.into())],
         }),
         multiview_mask: None,

@@ -7,6 +7,9 @@
 // its mean tip, in heights
 @group(1) @binding(3) var<uniform> stance: vec4<f32>;
 
+// Whether the scene has moving shade
+override SHADED: bool = true;
+
 struct VertexIn {
     @location(0) position: vec3<f32>,
     @location(1) normal: vec3<f32>,
@@ -105,7 +108,10 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
     let ambient = mix(frame.ground.rgb, frame.sky.rgb, n.y * 0.5 + 0.5);
     // Blades stand across the ground: the canopy is lit from the side too.
     let received = mix(lit, 0.35 + 0.65 * lit, sunlit * smoothstep(-0.3, 0.2, dot(n, l)));
-    let shaded = shade_pattern(in.world, l, frame.shade, frame.shade_offset);
+    var shaded = 0.0;
+    if SHADED {
+        shaded = shade_pattern(in.world, l, frame.shade, frame.shade_offset);
+    }
     let sun = frame.sun.rgb * (1.0 - shaded);
     var color = albedo * (sun * received / PI + ambient);
     if in.grass.w < 0.0 {

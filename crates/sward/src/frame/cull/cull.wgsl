@@ -43,7 +43,8 @@ fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
     if seen.visible {
         kept = kept_blades(index, home, count, nearest);
     }
-    for (var b = 0u; b < bands_per_patch(); b++) {
+    // The last patch's may be fewer: those beyond its blades are never run
+    for (var b = 0u; b * BAND < count; b++) {
         let band = index * bands_per_patch() + b;
         let first = b * BAND;
         var thinned = 0u;

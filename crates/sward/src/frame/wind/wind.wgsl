@@ -62,7 +62,9 @@ fn cosine_strength(source: GpuWindSource, position: vec3<f32>, seconds_ago: f32)
 fn wind_at(position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
     var level = vec2<f32>(0.0);
     var sum = vec3<f32>(0.0);
-    for (var i = 0u; i < frame.wind_count; i++) {
+    // Drivers that unroll a loop by its uniform bound would make the pipeline anew in each frame
+    let count = select(frame.wind_count, 0u, position.x > 3e38);
+    for (var i = 0u; i < count; i++) {
         // Each kind reads what it needs, and no more
         switch wind_sources[i].kind {
             case 0u: {
