@@ -1,19 +1,24 @@
 //! Modelled plants as they are drawn, against their pictures and against plants of quads.
 
 use super::debugging::has_color;
-use super::drawing::{Picture, covered, draw};
+use super::decoded::decode;
+use super::drawing::{Picture, covered, difference, draw};
 use super::rig::Rig;
 use super::scenes::{Draws, SIZE, field_of, look, no_culling};
+use crate::frame::physics::twin::State;
 use crate::gpu::layout::{BILLBOARD_BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET};
+use crate::gpu::state_twin::pack_state;
 use crate::gpu::view::focal_px;
 use crate::grow::Blade;
 use crate::plants::Angle;
+use crate::shared::curve_twin::project_tip;
 use crate::shared::noise_twin::hash01;
 use crate::{
-    Bands, Culling, DebugView, Field, Frame, Plant, Range, Species, Technique, View, Wind,
+    Bands, Billboard, Culling, DebugView, Field, Form, Frame, PhysicsModel, Plant, Range, Species,
+    Technique, View, Wind,
 };
-use glam::Vec3;
 use glam::camera::rh::proj::directx::orthographic;
+use glam::{Mat4, Vec3};
 use std::f32::consts::FRAC_PI_2;
 
 const HEIGHT: f32 = 0.5;
@@ -105,6 +110,38 @@ fn models_look_like_their_pictures_and_like_the_quads() {
         assert_eq!(drawn(&mut rig, 50.0, MODEL_BUCKET), model, "bit for bit");
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// Bent over, a few degrees off the side that its only quad shows: the model that has turned into the
+/// quad covers what that does, where the model itself does not.
+#[test]
+fn models_lie_down_on_their_quads() {
+    let still = Wind::new(Vec::new()).expect("no wind");
+    let mut rig = Rig::new(alone(Plant::Daisy));
+    let (mut before, mut after) = (0, 0);
+    for plant in [Plant::Poppy, Plant::Cornflower, Plant::TallGrass, Plant::Clover] {
+        let field = alone(plant);
+        let form = Form::Billboard(Billboard { quads: 1, ..Billboard::new(plant) });
+        let kind = Species { form, ..field.species()[0].clone() };
+        rig.replace(field_of(vec![kind], field.blades(), 64));
+        rig.step(&Frame::new(0.0, &still), &[front(50.0)]);
+        let own = decode(&rig.field)[0].physics;
+        let lean = own.up + own.facing.cross(own.up) * 0.9;
+        let tip = project_tip(lean, own.up, own.facing, own.arch);
+        let model = PhysicsModel::Sward;
+        rig.write_states(&[pack_state(&own, State { tip, crush: 0.0 }, model)]);
+        let mut from_side = |near_m: f32| {
+            let turned = Mat4::from_rotation_y(0.12);
+            let view = front(near_m);
+            rig.cull(&[View { view_from_world: view.view_from_world * turned, ..view }]);
+            draw(&mut rig, 0)
+        };
+        let [model, flat, quads] = [50.0, 1.01, 0.99].map(&mut from_side);
+        let (unlike, like) = (difference(&model, &quads), difference(&flat, &quads));
+        println!("{plant:?}: {unlike:?} {like:?} of {}", covered(&quads));
+        (before, after) = (before + unlike.1, after + like.1);
+    }
+    assert!(after * 2 < before, "{after} pixels of outline differ, {before} before");
 }
 
 /// 2048 plants of a kind anywhere on 16 m by 16 m.
