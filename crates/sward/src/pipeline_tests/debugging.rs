@@ -158,14 +158,15 @@ fn of_form(form: &Form) -> Rig {
     Rig::new(field_of(species, &blades, 64))
 }
 
-/// Pixels that have this colour, at any brightness.
-fn of_color(picture: &Picture, color: [f32; 3]) -> usize {
+/// Whether a pixel has this colour, at any brightness.
+pub(super) fn has_color(pixel: &[u8; 4], color: [f32; 3]) -> bool {
     let strongest = (0..3).max_by(|a, b| color[*a].total_cmp(&color[*b])).unwrap_or(0);
-    let is_own = |p: &&[u8; 4]| {
-        let scale = f32::from(p[strongest]) / color[strongest];
-        (0..3).all(|i| (f32::from(p[i]) - color[i] * scale).abs() < 3.0)
-    };
-    picture.iter().filter(|p| p[3] > 0).filter(is_own).count()
+    let scale = f32::from(pixel[strongest]) / color[strongest];
+    pixel[3] > 0 && (0..3).all(|i| (f32::from(pixel[i]) - color[i] * scale).abs() < 3.0)
+}
+
+fn of_color(picture: &Picture, color: [f32; 3]) -> usize {
+    picture.iter().filter(|pixel| has_color(pixel, color)).count()
 }
 
 /// Strips, quads and models cover in every debug view what they do in their own look, and have their

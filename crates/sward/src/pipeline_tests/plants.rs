@@ -1,16 +1,24 @@
 //! Modelled plants as they are drawn, against their pictures and against plants of quads.
 
-use super::drawing::{Picture, covered, draw};
+use super::debugging::has_color;
+use super::decoded::decode;
+use super::drawing::{Picture, covered, difference, draw};
 use super::rig::Rig;
 use super::scenes::{Draws, SIZE, field_of, look, no_culling};
+use crate::frame::physics::twin::State;
 use crate::gpu::layout::{BILLBOARD_BUCKETS, CLUSTER_BUCKET, MODEL_BUCKET};
+use crate::gpu::state_twin::pack_state;
 use crate::gpu::view::focal_px;
 use crate::grow::Blade;
 use crate::plants::Angle;
+use crate::shared::curve_twin::project_tip;
 use crate::shared::noise_twin::hash01;
-use crate::{Bands, Culling, Field, Frame, Plant, Range, Species, Technique, View, Wind};
-use glam::Vec3;
+use crate::{
+    Bands, Billboard, Culling, DebugView, Field, Form, Frame, PhysicsModel, Plant, Range, Species,
+    Technique, View, Wind,
+};
 use glam::camera::rh::proj::directx::orthographic;
+use glam::{Mat4, Vec3};
 use std::f32::consts::FRAC_PI_2;
 
 const HEIGHT: f32 = 0.5;
@@ -104,13 +112,50 @@ fn models_look_like_their_pictures_and_like_the_quads() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
+/// Bent over, a few degrees off the side that its only quad shows: the model that has turned into the
+/// quad covers what that does, where the model itself does not.
+#[test]
+fn models_lie_down_on_their_quads() {
+    let still = Wind::new(Vec::new()).expect("no wind");
+    let mut rig = Rig::new(alone(Plant::Daisy));
+    let (mut before, mut after) = (0, 0);
+    for plant in [Plant::Poppy, Plant::Cornflower, Plant::TallGrass, Plant::Clover] {
+        let field = alone(plant);
+        let form = Form::Billboard(Billboard { quads: 1, ..Billboard::new(plant) });
+        let kind = Species { form, ..field.species()[0].clone() };
+        rig.replace(field_of(vec![kind], field.blades(), 64));
+        rig.step(&Frame::new(0.0, &still), &[front(50.0)]);
+        let own = decode(&rig.field)[0].physics;
+        let lean = own.up + own.facing.cross(own.up) * 0.9;
+        let tip = project_tip(lean, own.up, own.facing, own.arch);
+        let model = PhysicsModel::Sward;
+        rig.write_states(&[pack_state(&own, State { tip, crush: 0.0 }, model)]);
+        let mut from_side = |near_m: f32| {
+            let turned = Mat4::from_rotation_y(0.12);
+            let view = front(near_m);
+            rig.cull(&[View { view_from_world: view.view_from_world * turned, ..view }]);
+            draw(&mut rig, 0)
+        };
+        let [model, flat, quads] = [50.0, 1.01, 0.99].map(&mut from_side);
+        let (unlike, like) = (difference(&model, &quads), difference(&flat, &quads));
+        println!("{plant:?}: {unlike:?} {like:?} of {}", covered(&quads));
+        (before, after) = (before + unlike.1, after + like.1);
+    }
+    assert!(after * 2 < before, "{after} pixels of outline differ, {before} before");
+}
+
 /// 2048 plants of a kind anywhere on 16 m by 16 m.
 fn meadow(plant: Plant) -> Field {
+    some(plant, 2048, 8.0)
+}
+
+/// So many anywhere within so many metres along both axes.
+fn some(plant: Plant, count: u32, reach_m: f32) -> Field {
     let species = Species::plant(plant);
     let mut draws = Draws::new(5);
-    let blades: Vec<Blade> = (0..2048)
+    let blades: Vec<Blade> = (0..count)
         .map(|_| {
-            let place = draws.vector(-8.0, 8.0);
+            let place = draws.vector(-reach_m, reach_m);
             let height = draws.between(species.height_m.min, species.height_m.max);
             Blade {
                 root: place.with_y(0.0),
@@ -193,4 +238,39 @@ fn clusters_of_plants_look_as_their_models_do() {
         let hue = |c: Vec3| c / c.element_sum();
         assert!((hue(far) - hue(near)).abs().max_element() < 0.1, "{plant:?}: {far}, {near}");
     }
+}
+
+/// A cluster of flowers comes texel by texel at its whole width: narrow, it would be a streak of colour.
+#[test]
+fn a_cluster_of_flowers_is_no_streak() {
+    let still = Wind::new(Vec::new()).expect("no wind");
+    let mut rig = Rig::new(some(Plant::Poppy, 32, 1.0));
+    let color = DebugView::Level.colors()[4].1;
+    let seen: Vec<(usize, f32)> = (0..40)
+        .map(|step| {
+            let away = 2.3 * 1.03_f32.powi(step);
+            let culling = Culling { distance: true, ..no_culling() };
+            let bands = Bands { near_m: 0.01, ..Bands::default() };
+            let (technique, debug) = (Technique::Continuum, Some(DebugView::Level));
+            let view = look(Vec3::new(0.0, 0.2 * away, away), Vec3::ZERO);
+            rig.step(
+                &Frame::new(0.01, &still),
+                &[View { technique, culling, bands, debug, detail: 1.6, ..view }],
+            );
+            let picture = draw(&mut rig, 0);
+            let columns = (0..SIZE[0] as usize)
+                .filter(|x| picture.chunks(SIZE[0] as usize).any(|row| has_color(&row[*x], color)));
+            let columns: Vec<usize> = columns.collect();
+            let wide = columns.last().map_or(0, |last| last + 1 - columns[0]);
+            (picture.iter().filter(|p| has_color(p, color)).count(), wide as f32 * away)
+        })
+        .collect();
+    println!("{seen:?}");
+    let most = seen.iter().map(|(count, _)| *count).max().unwrap_or(0);
+    let widest = seen.iter().map(|(_, wide)| *wide).fold(0.0, f32::max);
+    // So few that a card which grows with them would be less than half as wide
+    let is_coming = |(count, _): &&(usize, f32)| (most / 8..most * 2 / 5).contains(count);
+    let coming: Vec<_> = seen.iter().filter(is_coming).collect();
+    assert!(most > 40 && !coming.is_empty(), "{seen:?}");
+    assert!(coming.iter().all(|(_, wide)| *wide > 0.55 * widest), "{coming:?} of {widest}");
 }

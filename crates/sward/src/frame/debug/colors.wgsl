@@ -58,8 +58,8 @@ fn level_color(morph: f32) -> vec3<f32> {
         return mix(debug.palette[BUCKET % 4u].rgb, next, morph);
     }
     let slot = min(max(BUCKET, CLUSTER_BUCKET) - 4u, 9u);
-    let turns = BUCKET == STRIP_BUCKET || BUCKET == BILLBOARD_BUCKET;
-    let next = debug.palette[min(slot + 1u, 9u)].rgb;
+    let turns = BUCKET == STRIP_BUCKET || BUCKET == BILLBOARD_BUCKET || BUCKET == MODEL_BUCKET;
+    let next = debug.palette[select(min(slot + 1u, 9u), 7u, BUCKET == MODEL_BUCKET)].rgb;
     return mix(debug.palette[slot].rgb, next, select(0.0, morph, turns));
 }
 

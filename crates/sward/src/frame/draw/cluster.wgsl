@@ -12,6 +12,8 @@ struct ClusterVertex {
     @location(2) @interpolate(flat) haze: f32,
     @location(3) @interpolate(flat) layer: u32,
     @location(4) @interpolate(flat) seed: u32,
+    // Share of its texels that show
+    @location(6) @interpolate(flat) shown: f32,
 }
 
 // The frame of a card: level towards the eye and to the right of it.
@@ -78,7 +80,9 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
     let sway = sway_of(listed.index, blade.up);
     let scale = pixels_per_metre(distance);
     let count = patch_blades(listed.index / field.patch_size);
-    let wide = listed.fade * cluster_widening(cluster, scale, count);
+    // Narrow cards of blades are narrow blades; of flowers they would be streaks, which come texel by texel
+    let dissolves = form_of(blade.species) == FORM_BILLBOARD;
+    let wide = select(listed.fade, 1.0, dissolves) * cluster_widening(cluster, scale, count);
     let corner = vertex % VERTICES;
     let position = blade.root
         + card_corner(corner, facing, blade.up, cluster.y, cluster.z, wide, sway);
@@ -89,6 +93,7 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
     out.haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
     out.layer = picture_of(blade.id, facing);
     out.seed = hash_u32(blade.id);
+    out.shown = select(1.0, listed.fade, dissolves);
     return out;
 }
 
@@ -128,7 +133,7 @@ struct ClusterPixel {
 @fragment
 fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
     let texel = textureSample(cluster_color, picture_sampler, in.uv, in.layer);
-    let samples = samples_covered(texel.a, grain(in.uv, in.seed), in.seed);
+    let samples = samples_covered(texel.a * in.shown, grain(in.uv, in.seed), in.seed);
     if samples == 0u {
         discard;
     }

@@ -57,6 +57,55 @@ fn turned_over(blade: Blade, along: vec3<f32>, turn: vec2<f32>, own: vec3<f32>) 
     return leaned + along * own.y;
 }
 
+// A place about the middle line, in the plant's own level axes, laid onto the quad that faces the eye, of
+// which the picture shows the plant from that side. Half way between two quads it goes from one to the
+// other, so that it never jumps.
+fn laid_on_quads(own: vec2<f32>, to_eye: vec2<f32>, quads: u32, angle: f32) -> vec2<f32> {
+    var sum = vec2<f32>(0.0);
+    var weights = 1e-6;
+    for (var quad = 0u; quad < quads; quad++) {
+        let turn = f32(quad) * angle;
+        let side = vec2<f32>(cos(turn), -sin(turn));
+        let facing = abs(dot(to_eye, vec2<f32>(sin(turn), cos(turn))));
+        let weight = pow(facing, 16.0);
+        sum += side * (dot(own, side) * weight);
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+// Of a plant so far over, with its width and height.
+struct Bent {
+    tip: vec3<f32>,
+    size: vec2<f32>,
+    // Of its top, radians
+    twist: f32,
+}
+
+// From the root: a place about the middle line, at a share of the height.
+fn bent_place(blade: Blade, bent: Bent, share: f32, level: vec2<f32>) -> vec3<f32> {
+    let spine = spine_at(blade, bent.tip, share);
+    let angle = bent.twist * clamp(share, 0.0, 1.0);
+    let turn = vec2<f32>(cos(angle), sin(angle));
+    let offset = turned_over(blade, spine.along, turn, vec3<f32>(level.x, 0.0, level.y));
+    return spine.center * bent.size.y + offset * bent.size.x;
+}
+
+// The same on the quads, which have a row at the bottom, the middle and the top.
+fn place_on_quads(blade: Blade, bent: Bent, share: f32, own: vec2<f32>, look: vec2<f32>) -> vec3<f32> {
+    let ray = -view_ray(blade.root);
+    let right = cross(blade.up, blade.facing);
+    let angle = bent.twist * clamp(share, 0.0, 1.0);
+    let x = dot(ray, right * cos(angle) - blade.facing * sin(angle));
+    let z = dot(ray, right * sin(angle) + blade.facing * cos(angle));
+    let to_eye = vec2<f32>(x, z) / max(length(vec2<f32>(x, z)), 1e-4);
+    let level = laid_on_quads(own, to_eye, u32(look.x), look.y);
+    let row = select(0.0, 0.5, share > 0.5);
+    let low = bent_place(blade, bent, row, level);
+    let high = bent_place(blade, bent, row + 0.5, level);
+    return mix(low, high, 2.0 * (share - row));
+}
+
 fn model_vertex(vertex: u32, instance: u32) -> ModelVertex {
     var out: ModelVertex;
     out.clip = HIDDEN;
@@ -80,11 +129,17 @@ fn model_vertex(vertex: u32, instance: u32) -> ModelVertex {
     let size = vec2<f32>(blade.width, blade.height) * listed.fade;
     let spine = spine_at(blade, state.tip, own.place.y);
     // Wind from the side turns the plant
-    let twist = values.y * dot(state.tip, cross(blade.up, blade.facing)) * clamp(own.place.y, 0.0, 1.0);
-    let turn = vec2<f32>(cos(twist), sin(twist));
+    let bent = Bent(state.tip, size, values.y * dot(state.tip, cross(blade.up, blade.facing)));
+    let angle = bent.twist * clamp(own.place.y, 0.0, 1.0);
+    let turn = vec2<f32>(cos(angle), sin(angle));
     let level = vec3<f32>(own.place.x, 0.0, own.place.z);
     let offset = turned_over(blade, spine.along, turn, level) * size.x;
     var position = blade.root + spine.center * size.y + offset;
+    if listed.morph > 0.0 {
+        let quads = vec2<f32>(f32(look.w & 0xffu), values.x);
+        let laid = place_on_quads(blade, bent, own.place.y, own.place.xz, quads);
+        position = mix(position, blade.root + laid, listed.morph);
+    }
     let direction = turned_over(blade, spine.along, turn, own.direction);
     let ray = view_ray(position);
     var normal = select(direction, -direction, dot(direction, ray) > 0.0);
