@@ -24,6 +24,7 @@ use crate::Field;
 use crate::bake::canopy::canopy;
 use crate::bake::cover::ROWS;
 use crate::bake::stand::{Stands, WINDS};
+use crate::changes::CANOPY_END_PX;
 use crate::gpu::layout::{GpuCanopy, GpuCanopyRow, GpuLook};
 use glam::Vec3;
 
@@ -54,6 +55,13 @@ impl Canopy {
     /// No grass: covers nothing.
     pub fn none() -> Self {
         Self { gpu: GpuCanopy::empty(), ground_m2: 0.0 }
+    }
+
+    /// Metres from the eye nearer than which ground never stands for the grass, in a view by which a metre
+    /// at distance 1 covers `focal_px` pixels; infinite where there is no grass.
+    pub fn stands_in_from_m(&self, focal_px: f32) -> f32 {
+        let height_m = self.height_m();
+        if height_m > 0.0 { height_m * focal_px / CANOPY_END_PX[0] } else { f32::INFINITY }
     }
 
     /// Mean length of a blade, metres.

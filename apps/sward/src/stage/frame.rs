@@ -113,6 +113,11 @@ impl FrameUniform {
         }
     }
 
+    /// Pixels of the picture that a metre covers at distance 1.
+    pub fn focal_px(&self) -> f32 {
+        0.5 * self.height_px * self.camera.clip_from_view.y_axis.y.abs()
+    }
+
     /// The camera that was written last.
     pub fn camera(&self) -> CameraMatrices {
         self.camera

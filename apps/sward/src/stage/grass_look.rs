@@ -60,6 +60,11 @@ impl GrassLook {
         (0..scene.objects.len()).map(of).collect()
     }
 
+    /// Metres nearer than which the ground shows none of it.
+    pub fn shows_from_m(&self, focal_px: f32) -> f32 {
+        self.canopy.stands_in_from_m(focal_px)
+    }
+
     /// Its uniforms: the canopy, and how the grass stands.
     pub fn buffers(&self, device: &wgpu::Device) -> [wgpu::Buffer; 2] {
         let buffer = |contents: &[u8]| {

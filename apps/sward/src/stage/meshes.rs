@@ -1,5 +1,7 @@
 //! Meshes of the scene's opaque things on the GPU.
 
+use super::frame::CameraMatrices;
+use super::parts::{self, Part, Which};
 use bytemuck::{Pod, Zeroable};
 use glam::{Quat, Vec2, Vec3};
 use sward::{ColorRange, Mesh};
@@ -61,6 +63,8 @@ pub(super) struct GpuMesh {
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
+    /// Of a mesh that rests where it was made.
+    parts: Vec<Part>,
     placements: wgpu::Buffer,
     placement_count: u32,
     pub texture: wgpu::BindGroup,
@@ -94,10 +98,42 @@ impl GpuMesh {
             vertices: buffer(bytemuck::cast_slice(&vertices), U::VERTEX),
             indices: buffer(bytemuck::cast_slice(&mesh.triangles), U::INDEX),
             index_count: mesh.triangles.len() as u32 * 3,
+            parts: Vec::new(),
             placements: buffer(bytemuck::cast_slice(placements), U::VERTEX | U::COPY_DST),
             placement_count: placements.len() as u32,
             texture,
         }
+    }
+
+    /// The same in parts, for one that rests where it was made.
+    pub fn resting(
+        device: &wgpu::Device,
+        mut mesh: Mesh,
+        placement: GpuPlacement,
+        texture: wgpu::BindGroup,
+    ) -> Self {
+        let parts = parts::parts(&mesh.positions, &mut mesh.triangles);
+        Self { parts, ..Self::new(device, &mesh, &[placement], texture) }
+    }
+
+    /// Draws those of its parts that a camera sees.
+    pub fn draw_parts(&self, pass: &mut wgpu::RenderPass, runs: &[std::ops::Range<u32>]) {
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_vertex_buffer(1, self.placements.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        for run in runs {
+            pass.draw_indexed(run.clone(), 0, 0..1);
+        }
+    }
+
+    /// The parts that a camera sees.
+    pub fn seen(
+        &self,
+        camera: CameraMatrices,
+        which: Which,
+        stands_in_m: f32,
+    ) -> Vec<std::ops::Range<u32>> {
+        parts::seen(&self.parts, camera, which, stands_in_m)
     }
 
     /// Moves the instances; as many as there were.

@@ -12,6 +12,7 @@ mod meshes;
 mod movers;
 mod opaque;
 mod options;
+mod parts;
 mod post;
 mod readback;
 mod reference;

@@ -5,6 +5,7 @@ use super::frame::FrameUniform;
 use super::grass_look::GrassLook;
 use super::meshes::{self, GpuMesh, GpuPlacement, VERTEX_BUFFERS};
 use super::movers::Movers;
+use super::parts::Which;
 use super::swept::Swept;
 use super::texture::{self, Uploader};
 use crate::gpu::{COLOR_FORMAT, DEPTH_FORMAT, Gpu};
@@ -16,9 +17,10 @@ use sward_scene::Scene;
 #[derive(Debug)]
 pub(super) struct Opaque {
     depth: wgpu::RenderPipeline,
-    color: wgpu::RenderPipeline,
-    /// Those that rest.
-    objects: Vec<GpuMesh>,
+    /// Of what shows no grass in the place of grass, and of ground that may.
+    color: [wgpu::RenderPipeline; 2],
+    /// Those that rest, and the look of the grass on them.
+    objects: Vec<(GpuMesh, GrassLook)>,
     /// Of those that carry grass, in scenes drawn by strips: the cells that the camera sees.
     swept: Vec<Option<Swept>>,
     moving: Vec<GpuMesh>,
@@ -46,7 +48,7 @@ impl Opaque {
                 let placement = meshes::object_placement(scene, i);
                 let texture = uploader.upload(object.texture.as_ref(), &grass[i]);
                 let mesh = meshes::with_normals(&object.mesh);
-                GpuMesh::new(&gpu.device, &mesh, &[placement], texture)
+                (GpuMesh::resting(&gpu.device, mesh, placement, texture), grass[i])
             })
             .collect();
         let placed = movers.placements((-scene.warm_up_s).into());
@@ -60,7 +62,8 @@ impl Opaque {
         let shaded = scene.light().shade.depth > 0.0;
         let make =
             |colored| pipeline(&gpu.device, &frame.layout, &layout, (samples, shaded), colored);
-        Self { depth: make(false), color: make(true), objects, swept, moving, placed }
+        let color = [false, true].map(|canopy| make(Some(canopy)));
+        Self { depth: make(None), color, objects, swept, moving, placed }
     }
 
     /// Moves what moves; says whether anything has moved.
@@ -89,30 +92,31 @@ impl Opaque {
 
     /// Fills the depth.
     pub fn draw_depth(&self, pass: &mut wgpu::RenderPass, frame: &FrameUniform) {
-        self.draw(pass, frame, &self.depth);
+        pass.set_pipeline(&self.depth);
+        self.draw(pass, frame, Which::All);
     }
 
     /// Colours what of it still shows.
     pub fn draw_color(&self, pass: &mut wgpu::RenderPass, frame: &FrameUniform) {
-        self.draw(pass, frame, &self.color);
+        for (pipeline, which) in self.color.iter().zip([Which::Near, Which::Far]) {
+            pass.set_pipeline(pipeline);
+            self.draw(pass, frame, which);
+        }
     }
 
-    fn draw(
-        &self,
-        pass: &mut wgpu::RenderPass,
-        frame: &FrameUniform,
-        pipeline: &wgpu::RenderPipeline,
-    ) {
-        pass.set_pipeline(pipeline);
+    fn draw(&self, pass: &mut wgpu::RenderPass, frame: &FrameUniform, which: Which) {
         pass.set_bind_group(0, &frame.group, &[]);
-        for (mesh, swept) in self.objects.iter().zip(&self.swept) {
+        for ((mesh, grass), swept) in self.objects.iter().zip(&self.swept) {
             pass.set_bind_group(1, &mesh.texture, &[]);
+            let shows_from_m = grass.shows_from_m(frame.focal_px());
             match swept.as_ref().and_then(Swept::listed) {
-                Some(sweep) => mesh.draw_swept(pass, sweep),
-                None => mesh.draw(pass),
+                // What is swept shows no grass: its technique ends nowhere
+                Some(sweep) if which != Which::Far => mesh.draw_swept(pass, sweep),
+                Some(_) => {}
+                None => mesh.draw_parts(pass, &mesh.seen(frame.camera(), which, shows_from_m)),
             }
         }
-        for mesh in &self.moving {
+        for mesh in self.moving.iter().filter(|_| which != Which::Far) {
             pass.set_bind_group(1, &mesh.texture, &[]);
             mesh.draw(pass);
         }
@@ -124,7 +128,8 @@ fn pipeline(
     frame: &wgpu::BindGroupLayout,
     texture: &wgpu::BindGroupLayout,
     (samples, shaded): (u32, bool),
-    colored: bool,
+    // Whether it may show the look of grass; none for the depth alone
+    colored: Option<bool>,
 ) -> wgpu::RenderPipeline {
     let label = "sward.stage.opaque";
     let shader = super::shader(
@@ -137,6 +142,8 @@ fn pipeline(
             include_str!("opaque.wgsl"),
         ],
     );
+    let on = |x: bool| f64::from(u8::from(x));
+    let constants = [("SHADED", on(shaded)), ("CANOPY", on(colored == Some(true)))];
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(label),
         bind_group_layouts: &[Some(frame), Some(texture)],
@@ -155,17 +162,17 @@ fn pipeline(
         primitive: Default::default(),
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH_FORMAT,
-            depth_write_enabled: Some(!colored),
+            depth_write_enabled: Some(colored.is_none()),
             depth_compare: Some(wgpu::CompareFunction::LessEqual),
             stencil: Default::default(),
             bias: Default::default(),
         }),
         multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
-        fragment: colored.then_some(wgpu::FragmentState {
+        fragment: colored.is_some().then_some(wgpu::FragmentState {
             module: &shader,
             entry_point: Some("opaque_fragment"),
             compilation_options: wgpu::PipelineCompilationOptions {
-                constants: &[("SHADED", f64::from(u8::from(shaded)))],
+                constants: &constants,
                 ..Default::default()
             },
             targets: &[Some(COLOR_FORMAT.into())],

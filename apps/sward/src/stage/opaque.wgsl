@@ -9,6 +9,8 @@
 
 // Whether the scene has moving shade
 override SHADED: bool = true;
+// Whether ground may show the look of grass in the place of grass
+override CANOPY: bool = true;
 
 struct VertexIn {
     @location(0) position: vec3<f32>,
@@ -94,8 +96,11 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
     let base = striped(in.material.rgb, in.stripe, in.uv) * in.color * texel;
     var albedo = base;
     let up = normalize(mix(outward, vec3(0.0, 1.0, 0.0), stance.x) + vec3(0.0, 1e-6, 0.0));
-    // Grass grows outward: who looks from behind sees none
-    let grass = grass_on_ground(up, in.world, v) * f32(dot(outward, v) > 0.0);
+    var grass = 0.0;
+    if CANOPY {
+        // Grass grows outward: who looks from behind sees none
+        grass = grass_on_ground(up, in.world, v) * f32(dot(outward, v) > 0.0);
+    }
     var sunlit = 0.0;
     if in.grass.w >= 0.0 {
         let ground = ground_material(in.world, n, albedo, in.grass, pixel_m);
@@ -117,7 +122,7 @@ fn opaque_fragment(in: Surfel, @builtin(front_facing) front: bool) -> @location(
     if in.grass.w < 0.0 {
         color += sun * lit * gloss(n, v, l, in.material.w);
     }
-    if grass > 0.002 {
+    if CANOPY && grass > 0.002 {
         let look = canopy_tinted(canopy_radiance(up, v, stance.yzw, shaded), base);
         color = mix(color, look, grass);
     }
