@@ -43,8 +43,9 @@ fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
     if seen.visible {
         kept = kept_blades(index, home, count, nearest);
     }
-    // The last patch's may be fewer: those beyond its blades are never run
-    for (var b = 0u; b * BAND < count; b++) {
+    // The last patch's blades may be fewer, but the scan leaves places in the counts of all bands
+    let end = max(count, field.patch_size);
+    for (var b = 0u; b * BAND < end; b++) {
         let band = index * bands_per_patch() + b;
         let first = b * BAND;
         var thinned = 0u;

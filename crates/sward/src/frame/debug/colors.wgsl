@@ -73,13 +73,16 @@ fn edge_samples(pixels: f32) -> u32 {
     return samples_of_share(clamp(EDGE_PX + 0.5 - pixels, 0.0, 1.0));
 }
 
+// All are reckoned and one is picked: a driver may make a shader anew in each frame for what branches on
+// a uniform, and some break at it.
 fn debug_color(index: u32, morph: f32, own: vec3<f32>) -> vec3<f32> {
-    switch debug.mode {
-        case PATCHES: { return patch_color((field.first_id + index) / field.patch_size); }
-        case CULLING: { return culling_color(explained[index]); }
-        case LEVEL: { return level_color(morph); }
-        case AWAKE: { return awake_color(explained[index]); }
-        case CRUSH: { return crush_color(unpack_state(unpack_blade(index), dynamics[index]).crush); }
-        default: { return mix(debug.palette[0].rgb, own, 0.5); }
-    }
+    let reasons = explained[index];
+    let crush = unpack_state(unpack_blade(index), dynamics[index]).crush;
+    var color = mix(debug.palette[0].rgb, own, 0.5);
+    let home = (field.first_id + index) / field.patch_size;
+    color = select(color, patch_color(home), debug.mode == PATCHES);
+    color = select(color, culling_color(reasons), debug.mode == CULLING);
+    color = select(color, level_color(morph), debug.mode == LEVEL);
+    color = select(color, awake_color(reasons), debug.mode == AWAKE);
+    return select(color, crush_color(crush), debug.mode == CRUSH);
 }
