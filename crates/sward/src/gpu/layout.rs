@@ -23,6 +23,7 @@
 //! offsets and sway, and a work entry (8); per patch its box (48), its list of near colliders (128) and
 //! another work entry (8).
 
+use crate::frame::wind::GpuWindSource;
 use bytemuck::{Pod, Zeroable};
 
 /// Blades of one workgroup.
@@ -87,6 +88,7 @@ pub struct GpuFrame {
     pub keep_resting: u32,
     pub shade_x: f32,
     pub shade_y: f32,
+    pub wind_sources: [GpuWindSource; MAX_WIND_SOURCES],
 }
 
 /// `GpuField` of field.wgsl.
@@ -101,6 +103,14 @@ pub struct GpuField {
     pub layers: [f32; 2],
     pub reserved_a: f32,
     pub reserved_b: f32,
+}
+
+/// `GpuPage` of field.wgsl.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub struct GpuPage {
+    pub field: GpuField,
+    pub species: [GpuSpecies; MAX_SPECIES],
 }
 
 /// `GpuPatch` of field.wgsl.

@@ -34,25 +34,31 @@ pub struct ViewLists {
     pub indirect: wgpu::Buffer,
     /// Failed tests.
     pub counted: wgpu::Buffer,
-    /// The list, for tests.
-    #[cfg(test)]
+    /// The list.
     pub list: wgpu::Buffer,
     /// Group 2 of patch culling.
     pub cull: wgpu::BindGroup,
     /// Group 2 of the update.
     pub update: wgpu::BindGroup,
-    /// Group 2 of the patches' mean light.
-    pub patch_light: wgpu::BindGroup,
+    /// Groups that hold what was baked of the field.
+    pub lit: Lit,
     pub(super) lights: wgpu::Buffer,
     /// Group 2 of the scan.
     pub scan: wgpu::BindGroup,
     /// Group 2 of compaction.
     pub compact: wgpu::BindGroup,
-    /// Group 2 of drawing.
-    pub draw: wgpu::BindGroup,
     /// What the view's sweep writes.
     pub sweep: PatchSweep,
     pub(super) bytes: u64,
+}
+
+/// Group 2 of what lights plants.
+#[derive(Debug)]
+pub struct Lit {
+    /// Of the patches' mean light.
+    pub patch_light: wgpu::BindGroup,
+    /// Of drawing.
+    pub draw: wgpu::BindGroup,
 }
 
 impl ViewLists {
@@ -85,16 +91,29 @@ impl Page {
         }
     }
 
-    pub(super) fn light_group(
+    fn lit_groups(
         &self,
         device: &wgpu::Device,
         layouts: &Layouts,
-        view: &wgpu::Buffer,
-        seen: &Seen,
-        lights: &wgpu::Buffer,
-    ) -> wgpu::BindGroup {
-        let list = [view, &self.bands, &self.pictures.canopy, lights, &seen.numbers];
-        bindings::buffers(device, "sward.patch_light", &layouts.patch_light, &list)
+        [view, list, draws, lights, seen]: [&wgpu::Buffer; 5],
+    ) -> Lit {
+        let canopy = &self.pictures.canopy;
+        let patch_light = [view, &self.bands, canopy, lights, seen];
+        let draw = [view, list, draws, lights, canopy];
+        let bind = |label, layout, list| bindings::buffers(device, label, layout, list);
+        Lit {
+            patch_light: bind("sward.patch_light", &layouts.patch_light, &patch_light),
+            draw: bind("sward.draw", &layouts.draw, &draw),
+        }
+    }
+
+    /// Binds what was baked of the field to all lists.
+    pub(super) fn bind_baked(&mut self, device: &wgpu::Device, layouts: &Layouts) {
+        for index in 0..self.views.len() {
+            let ViewLists { view, list, draws, lights, seen, .. } = &self.views[index];
+            let buffers = [view, list, draws, lights, &seen.numbers];
+            self.views[index].lit = self.lit_groups(device, layouts, buffers);
+        }
     }
 
     fn view_lists(
@@ -144,12 +163,10 @@ impl Page {
             update: bind("sward.update", &layouts.update, &update),
             scan: bind("sward.scan", &layouts.scan, &scan),
             compact: bind("sward.compact", &layouts.compact, &compact),
-            draw: bind("sward.draw", &layouts.draw, &[&view, &list, &draws, &lights]),
             bytes: list.size() + lights.size(),
-            patch_light: self.light_group(device, layouts, &view, &seen, &lights),
+            lit: self.lit_groups(device, layouts, [&view, &list, &draws, &lights, &seen.numbers]),
             lights,
             seen,
-            #[cfg(test)]
             list,
             view,
             draws,

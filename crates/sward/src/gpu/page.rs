@@ -71,8 +71,8 @@ pub struct Page {
     boxes: Vec<BlockBox>,
     /// Of its field: other pages may hold the same.
     pub pictures: Pictures,
-    /// Bindings 0 to 5 of drawing.
-    drawn: [wgpu::Buffer; 6],
+    /// Bindings 0 to 4 of drawing.
+    drawn: [wgpu::Buffer; 5],
     /// Group 1 of the compute stages.
     pub group: wgpu::BindGroup,
     /// Group 1 of drawing.
@@ -104,7 +104,7 @@ fn first_bands(count: usize, ticks: u32) -> Vec<GpuBand> {
 fn draw_group(
     device: &wgpu::Device,
     layouts: &Layouts,
-    (drawn, bands): (&[wgpu::Buffer; 6], &wgpu::Buffer),
+    (drawn, bands): (&[wgpu::Buffer; 5], &wgpu::Buffer),
     pictures: &Pictures,
 ) -> wgpu::BindGroup {
     use wgpu::BindingResource::{Sampler, TextureView};
@@ -116,7 +116,6 @@ fn draw_group(
         TextureView(&pictures.plant_normal),
         Sampler(&pictures.sampler),
         bands.as_entire_binding(),
-        pictures.canopy.as_entire_binding(),
         TextureView(&pictures.plant_models),
     ]);
     bindings::group(device, "sward.draw_field", &layouts.draw_field, &resources)
@@ -140,8 +139,8 @@ impl Page {
         let data = |label, content: &[u8], usage| filled(device, label, content, usage);
         let store = |label, bytes| storage(device, label, bytes, BufferUsages::empty());
         let fingerprint = packed.fingerprint(species);
-        let field_uniform = data("sward.field", bytemuck::bytes_of(&counts), BufferUsages::UNIFORM);
-        let species = data("sward.species", bytemuck::cast_slice(species), BufferUsages::UNIFORM);
+        let page = [bytemuck::bytes_of(&counts), bytemuck::cast_slice(species)].concat();
+        let page = data("sward.page", &page, BufferUsages::UNIFORM);
         let blades =
             data("sward.blades", bytemuck::cast_slice(&packed.blades), BufferUsages::STORAGE);
         let tints = data("sward.tints", bytemuck::cast_slice(&packed.tints), BufferUsages::STORAGE);
@@ -160,9 +159,8 @@ impl Page {
             data("sward.work_reset", bytemuck::cast_slice(&reset), BufferUsages::empty());
         let decisions = store("sward.decisions", band_count * u64::from(BAND) * 2);
         let blocks = store("sward.blocks", (boxes.len() * size_of::<GpuBlock>()) as u64);
-        let shared = [&field_uniform, &species, &blades, &patches];
-        let drawn =
-            [&field_uniform, &species, &blades, &patches, &dynamics, &tints].map(Clone::clone);
+        let shared = [&page, &blades, &patches];
+        let drawn = [&page, &blades, &patches, &dynamics, &tints].map(Clone::clone);
         let sized =
             [&blades, &tints, &patches, &dynamics, &bands, &near, &work, &decisions, &blocks];
         Self {
@@ -312,11 +310,7 @@ impl Page {
         write(device, encoder, &self.drawn[0], bytemuck::bytes_of(&self.field));
         self.draw_group = draw_group(device, layouts, (&self.drawn, &self.bands), pictures);
         self.pictures = pictures.clone();
-        for index in 0..self.views.len() {
-            let ViewLists { view, seen, lights, .. } = &self.views[index];
-            let group = self.light_group(device, layouts, view, seen, lights);
-            self.views[index].patch_light = group;
-        }
+        self.bind_baked(device, layouts);
     }
 
     /// Which draw lists its plants may be in, in a view of that technique.

@@ -166,11 +166,8 @@ fn baked_colors_are_the_blades() {
     let surface = Vec3::from(unpack_color(packed));
     // Its first blade's id is 0
     let (counts, tints): (GpuField, _) = (Zeroable::zeroed(), vec![packed; 123_457]);
-    let given = [
-        (1, 0, U::UNIFORM, bytemuck::bytes_of(&counts)),
-        (1, 1, U::UNIFORM, bytemuck::cast_slice(&table)),
-        (1, 5, U::STORAGE, bytemuck::cast_slice(&tints)),
-    ];
+    let page = [bytemuck::bytes_of(&counts), bytemuck::cast_slice(&table)].concat();
+    let given = [(1, 0, U::UNIFORM, &page[..]), (1, 4, U::STORAGE, bytemuck::cast_slice(&tints))];
     for (tinted, tint) in [(0.0, 0.0), (1.0, 0.6)] {
         let source = Shader::Draw.source() + COLORS;
         let entry = Entry { source, name: "of_colors", constants: &[("TINTED", tinted)] };

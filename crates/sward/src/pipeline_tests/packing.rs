@@ -29,7 +29,7 @@ struct TestBlade {
 @compute @workgroup_size(64)
 fn test_packing(@builtin(global_invocation_id) thread: vec3<u32>) {
     let i = thread.x;
-    if i >= field.blade_count {
+    if i >= page.field.blade_count {
         return;
     }
     let b = unpack_blade(i);

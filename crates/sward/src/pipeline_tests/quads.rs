@@ -4,7 +4,7 @@ use super::ask::{Asked, on_gpu};
 use crate::frame::draw::quads_twin::{Plant, quad_of};
 use crate::frame::level::bands_twin::{choose, stretch};
 use crate::frame::light::shade_twin;
-use crate::gpu::layout::{GpuFrame, GpuSpecies, MAX_SPECIES};
+use crate::gpu::layout::{GpuFrame, GpuPage};
 use crate::gpu::shaders::Shader;
 use crate::gpu::view::gpu_view;
 use crate::shared::curve_twin::project_tip;
@@ -122,8 +122,8 @@ fn bands_equal_their_reference() {
     let matrices = (Mat4::IDENTITY, camera(1.0, 1.0, 0.1));
     let view = View { bands, detail, ..View::new(matrices.0, matrices.1, [64, 64]) };
     let uniform = gpu_view(&view, 1);
-    let mut species = vec![GpuSpecies::zeroed(); MAX_SPECIES];
-    species[1].look[3] = 0x103;
+    let mut page = GpuPage::zeroed();
+    page.species[1].look[3] = 0x103;
     let asked: Vec<Asked> = (0..4000)
         .map(|i| {
             let keep = if i % 2 == 0 { 1e6 } else { 0.3 + draw(i, 2) };
@@ -132,7 +132,7 @@ fn bands_equal_their_reference() {
         })
         .collect();
     let uniforms: [(u32, u32, &[u8]); 2] =
-        [(1, 1, bytemuck::cast_slice(&species)), (2, 0, bytemuck::bytes_of(&uniform))];
+        [(1, 0, bytemuck::bytes_of(&page)), (2, 0, bytemuck::bytes_of(&uniform))];
     let mut seen = [0; 16];
     for (i, told) in (0..).zip(tell("tell_bands", &asked, &uniforms)) {
         let [distance, keep, rank, modelled] = asked[i as usize][0];

@@ -2,7 +2,7 @@
 
 use super::rig::shared;
 use crate::frame::wind::atlas::WindAtlas;
-use crate::gpu::layout::{GpuFrame, MAX_WIND_SOURCES};
+use crate::gpu::layout::GpuFrame;
 use crate::gpu::shaders::Shader;
 use crate::gpu::test_device::read;
 use crate::shared::noise_twin::hash01;
@@ -63,21 +63,20 @@ fn on_gpu(winds: &[Wind], asked: &[[f32; 4]]) -> Vec<Vec<Vec3>> {
     let places = buffer(&device, bytemuck::cast_slice(asked), storage);
     let told = buffer(&device, &vec![0; asked.len() * 16], storage);
     let ask = |wind: &Wind| {
-        let mut sources = wind.gpu_sources();
+        let sources = wind.gpu_sources();
         let mut frame: GpuFrame = bytemuck::Zeroable::zeroed();
         frame.wind_count = sources.len() as u32;
-        sources.resize(MAX_WIND_SOURCES, bytemuck::Zeroable::zeroed());
+        frame.wind_sources[..sources.len()].copy_from_slice(&sources);
         let frame = buffer(&device, bytemuck::bytes_of(&frame), uniform);
-        let sources = buffer(&device, bytemuck::cast_slice(&sources), uniform);
         let mut encoder = device.create_command_encoder(&Default::default());
         let mut maps = WindAtlas::new(&device);
         maps.write(&device, &mut encoder, &wind.sources);
         let maps = wgpu::BindingResource::TextureView(maps.view());
-        let (frame, sources) = (frame.as_entire_binding(), sources.as_entire_binding());
+        let frame = frame.as_entire_binding();
         let lists = [(0, places.as_entire_binding()), (1, told.as_entire_binding())];
         let mut pass = encoder.begin_compute_pass(&Default::default());
         pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &group(0, &[(0, frame), (1, sources), (3, maps)]), &[]);
+        pass.set_bind_group(0, &group(0, &[(0, frame), (2, maps)]), &[]);
         pass.set_bind_group(3, &group(3, &lists), &[]);
         pass.dispatch_workgroups(asked.len().div_ceil(64) as u32, 1, 1);
         drop(pass);

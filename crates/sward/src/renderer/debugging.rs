@@ -16,10 +16,10 @@ impl Renderer {
         view: &View,
     ) {
         if view.debug.is_some() && self.debug.is_none() {
-            self.debug = Some(Debug::new(device, &self.layouts, self.draw.targets));
+            self.debug = Some(Debug::new(device, self.draw.targets));
         }
         if let Some(debug) = &mut self.debug {
-            debug.set_view(device, &self.pages, index, view.debug);
+            debug.set_view((device, &self.layouts), &self.pages, index, view);
         }
         if view.debug.is_some_and(|debug| debug.shows_all()) {
             self.explain(device, encoder, index, view);
@@ -50,7 +50,13 @@ impl Renderer {
         for (number, page) in self.pages.iter().enumerate() {
             let Some(lists) = page.views.get(index) else { continue };
             let frame = self.inputs.frame();
-            debug.encode_explain(device, encoder, frame, (number, page, lists), depth);
+            debug.encode_explain(
+                (device, &self.layouts),
+                encoder,
+                frame,
+                (number, page, lists),
+                depth,
+            );
         }
         self.encode_stage(device, encoder, Stage::Compact, index, view);
     }

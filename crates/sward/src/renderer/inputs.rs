@@ -10,16 +10,16 @@ use crate::frame::wind::sway::sway;
 use crate::gpu::layout::{GpuFrame, MAX_WIND_SOURCES, TICKS_PER_SECOND};
 use crate::gpu::{bindings, buffers};
 use crate::{Error, Frame, Gravity, Light, PhysicsModel};
+use bytemuck::Zeroable;
 use glam::Vec3;
 
 /// Crush lost a second without contact: a crushed blade stands again after about 7 s.
 const CRUSH_DECAY: f32 = 0.25;
 
-/// The frame's uniform, wind sources and colliders.
+/// The frame's uniform, with the wind sources, and colliders.
 #[derive(Debug)]
 pub(crate) struct Inputs {
     frame: wgpu::Buffer,
-    wind: wgpu::Buffer,
     wind_atlas: WindAtlas,
     chunks: ChunkBuffer,
     group: wgpu::BindGroup,
@@ -30,13 +30,12 @@ fn compute_group(
     device: &wgpu::Device,
     layouts: &Layouts,
     frame: &wgpu::Buffer,
-    wind: &wgpu::Buffer,
     primitives: &wgpu::Buffer,
     wind_maps: &wgpu::TextureView,
 ) -> wgpu::BindGroup {
-    let [frame, wind, primitives] = [frame, wind, primitives].map(|b| b.as_entire_binding());
+    let [frame, primitives] = [frame, primitives].map(|b| b.as_entire_binding());
     let maps = wgpu::BindingResource::TextureView(wind_maps);
-    bindings::group(device, "sward.frame", &layouts.frame, &[frame, wind, primitives, maps])
+    bindings::group(device, "sward.frame", &layouts.frame, &[frame, primitives, maps])
 }
 
 fn check_gravity(gravity: &Gravity) -> Result<(), Error> {
@@ -62,15 +61,13 @@ fn check_light(light: &Light) -> Result<(), Error> {
 impl Inputs {
     pub(crate) fn new(device: &wgpu::Device, layouts: &Layouts) -> Self {
         let frame = buffers::uniform(device, "sward.frame", size_of::<GpuFrame>() as u64);
-        let wind_bytes = (MAX_WIND_SOURCES * size_of::<GpuWindSource>()) as u64;
-        let wind = buffers::uniform(device, "sward.wind", wind_bytes);
         let chunks = ChunkBuffer::new(device);
         let wind_atlas = WindAtlas::new(device);
         let maps = wind_atlas.view();
-        let group = compute_group(device, layouts, &frame, &wind, chunks.buffer(), maps);
+        let group = compute_group(device, layouts, &frame, chunks.buffer(), maps);
         let draw_group =
             bindings::buffers(device, "sward.draw_frame", &layouts.draw_frame, &[&frame]);
-        Self { frame, wind, wind_atlas, chunks, group, draw_group }
+        Self { frame, wind_atlas, chunks, group, draw_group }
     }
 
     /// Group 0 of the compute stages.
@@ -112,11 +109,10 @@ impl Inputs {
         let new_maps = self.wind_atlas.write(device, encoder, &frame.wind.sources);
         if is_other || new_maps {
             let (primitives, maps) = (self.chunks.buffer(), self.wind_atlas.view());
-            self.group = compute_group(device, layouts, &self.frame, &self.wind, primitives, maps);
+            self.group = compute_group(device, layouts, &self.frame, primitives, maps);
         }
         let uniform = gpu_frame(frame, clock, wind, counts);
         buffers::write(device, encoder, &self.frame, bytemuck::bytes_of(&uniform));
-        buffers::write(device, encoder, &self.wind, bytemuck::cast_slice(wind));
         counts
     }
 }
@@ -161,7 +157,10 @@ fn gpu_frame(
     let with = |v: Vec3, w: f32| v.extend(w).to_array();
     let (gravity, light) = (&frame.gravity, &frame.light);
     let (shade, [shade_x, shade_y]) = light.shade.pattern();
+    let mut wind_sources = [GpuWindSource::zeroed(); MAX_WIND_SOURCES];
+    wind_sources[..wind.len()].copy_from_slice(wind);
     GpuFrame {
+        wind_sources,
         gravity_direction: with(gravity.direction.normalize_or_zero(), gravity.strength),
         gravity_center: with(gravity.center, gravity.center_strength),
         to_sun: with(light.to_sun.normalize_or(Vec3::Y), 0.0),

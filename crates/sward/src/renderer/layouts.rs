@@ -52,16 +52,16 @@ impl Layouts {
         let nothing = empty_depth(device);
         let resource = wgpu::BindingResource::TextureView(&nothing);
         Self {
-            frame: compute("sward.frame", &[Uniform, Uniform, Read, Texels]),
+            frame: compute("sward.frame", &[Uniform, Read, Texels]),
             draw_frame: draw("sward.draw_frame", &[Uniform]),
-            field: compute("sward.field", &[Uniform, Uniform, Read, Read]),
+            field: compute("sward.field", &[Uniform, Read, Read]),
             draw_field: layout(
                 device,
                 "sward.draw_field",
                 ShaderStages::VERTEX_FRAGMENT,
                 &[
-                    Uniform, Uniform, Read, Read, Read, Read, Pictures, Pictures, Pictures,
-                    Pictures, Sampler, Read, Uniform, Words,
+                    Uniform, Read, Read, Read, Read, Pictures, Pictures, Pictures, Pictures,
+                    Sampler, Read, Words,
                 ],
             ),
             collide: compute("sward.collide", &[Write, Write, Write]),
@@ -74,7 +74,7 @@ impl Layouts {
                 &[Uniform, Write, Write, Write, Write, Write, Uniform, Uniform],
             ),
             compact: compute("sward.compact", &[Uniform, Read, Read, Read, Read, Write]),
-            draw: draw("sward.draw", &[Uniform, Read, Uniform, Read]),
+            draw: draw("sward.draw", &[Uniform, Read, Uniform, Read, Uniform]),
             depth_multisampled: compute("sward.depth", &[Depth { multisampled: true }]),
             no_depth: bindings::group(device, "sward.no_depth", &depth, &[resource]),
             depth,

@@ -61,10 +61,15 @@ const FORM_BILLBOARD: u32 = 2u;
 // False in pipelines for fields of blades alone
 override OTHER_FORMS: bool = true;
 
-@group(1) @binding(0) var<uniform> field: GpuField;
-@group(1) @binding(1) var<uniform> species_table: array<GpuSpecies, 256>;
-@group(1) @binding(2) var<storage, read> blades: array<vec4<u32>>;
-@group(1) @binding(3) var<storage, read> patches: array<GpuPatch>;
+// One uniform, as groups 0 to 2 have one in front: see ARCHITECTURE.md on software Vulkan
+struct GpuPage {
+    field: GpuField,
+    species: array<GpuSpecies, 256>,
+}
+
+@group(1) @binding(0) var<uniform> page: GpuPage;
+@group(1) @binding(1) var<storage, read> blades: array<vec4<u32>>;
+@group(1) @binding(2) var<storage, read> patches: array<GpuPatch>;
 
 const BAND: u32 = 64u;
 // Draw lists: 0 to 7 blades (pointed ones of 8, 4, 2, 1 segments, then flat-tipped ones), 8 clusters,
@@ -83,17 +88,17 @@ const NEAR_SLOTS: u32 = 10u;
 
 fn form_of(species: u32) -> u32 {
     if OTHER_FORMS {
-        return species_table[species].look.x;
+        return page.species[species].look.x;
     }
     return FORM_BLADE;
 }
 
 fn bands_per_patch() -> u32 {
-    return field.patch_size / BAND;
+    return page.field.patch_size / BAND;
 }
 
 fn patch_blades(patch_index: u32) -> u32 {
-    return min(field.patch_size, field.blade_count - patch_index * field.patch_size);
+    return min(page.field.patch_size, page.field.blade_count - patch_index * page.field.patch_size);
 }
 
 fn oct_decode(e: vec2<f32>) -> vec3<f32> {
@@ -128,9 +133,9 @@ fn tangent_frame(up: vec3<f32>) -> Frame3 {
 
 fn unpack_blade(index: u32) -> Blade {
     let w = blades[index];
-    let home = patches[index / field.patch_size];
+    let home = patches[index / page.field.patch_size];
     let kind = (w.y >> 16u) & 0xffu;
-    let id = field.first_id + index;
+    let id = page.field.first_id + index;
     let q = vec3<f32>(f32(w.x & 0xffffu), f32(w.x >> 16u), f32(w.y & 0xffffu));
     var blade: Blade;
     blade.root = home.origin + q * (home.edge / 65535.0);
@@ -141,13 +146,13 @@ fn unpack_blade(index: u32) -> Blade {
     let height = f32((w.w >> 12u) & 0xfffu) / 4095.0;
     let width = f32(w.w >> 24u) / 255.0;
     let response = f32(w.y >> 24u) / 255.0;
-    blade.height = species_table[kind].height.x + species_table[kind].height.y * height;
-    blade.width = species_table[kind].width.x + species_table[kind].width.y * width;
-    blade.response = species_table[kind].response.x + species_table[kind].response.y * response;
-    blade.droop = species_table[kind].droop.x
-        + species_table[kind].droop.y * hash01(id, 11u);
-    blade.gust = species_table[kind].gust;
-    blade.arch = species_table[kind].arch;
+    blade.height = page.species[kind].height.x + page.species[kind].height.y * height;
+    blade.width = page.species[kind].width.x + page.species[kind].width.y * width;
+    blade.response = page.species[kind].response.x + page.species[kind].response.y * response;
+    blade.droop = page.species[kind].droop.x
+        + page.species[kind].droop.y * hash01(id, 11u);
+    blade.gust = page.species[kind].gust;
+    blade.arch = page.species[kind].arch;
     blade.species = kind;
     blade.id = id;
     return blade;

@@ -39,6 +39,8 @@ struct GpuFrame {
     // How far the shade has drifted, cells
     shade_x: f32,
     shade_y: f32,
+    // The first `wind_count` of them
+    wind_sources: array<GpuWindSource, 64>,
 }
 
 // The model, where a pipeline is made for one; 2: as the frame says.
@@ -102,5 +104,4 @@ struct GpuWindSource {
 }
 
 @group(0) @binding(0) var<uniform> frame: GpuFrame;
-@group(0) @binding(1) var<uniform> wind_sources: array<GpuWindSource, 64>;
-@group(0) @binding(2) var<storage, read> primitives: array<GpuPrimitive>;
+@group(0) @binding(1) var<storage, read> primitives: array<GpuPrimitive>;

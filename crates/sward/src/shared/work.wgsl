@@ -19,7 +19,7 @@ fn work_entry(patch_index: u32, inside: bool, kept: u32, band: u32) -> vec2<u32>
 
 // Lanes that run one patch's anchors: a power of two.
 fn anchor_lanes() -> u32 {
-    return 1u << (32u - countLeadingZeros(field.patch_size / CLUSTER_BLADES - 1u));
+    return 1u << (32u - countLeadingZeros(page.field.patch_size / CLUSTER_BLADES - 1u));
 }
 
 fn far_patches_a_group() -> u32 {
@@ -28,5 +28,5 @@ fn far_patches_a_group() -> u32 {
 
 // Where the entries of far patches begin.
 fn first_far_entry() -> u32 {
-    return field.patch_count * bands_per_patch();
+    return page.field.patch_count * bands_per_patch();
 }

@@ -70,7 +70,7 @@ fn members_near(chunk: u32, reach: Bounds) -> vec2<u32> {
 @compute @workgroup_size(64)
 fn collide(@builtin(global_invocation_id) thread: vec3<u32>) {
     let index = thread.x;
-    if index >= field.patch_count {
+    if index >= page.field.patch_count {
         return;
     }
     let list = index * NEAR_STRIDE;

@@ -36,7 +36,7 @@ fn compact(
     let in_block = (bands[band].counts[bucket / 8u][(bucket / 2u) % 4u] >> (16u * (bucket & 1u))) & 0xffffu;
     let place = blocks[band / bands_a_block()].buckets[bucket] + in_block + rank;
     if place < view.capacity {
-        let index = task.patch_index * field.patch_size + task.local;
+        let index = task.patch_index * page.field.patch_size + task.local;
         list[place] = index | ((decision >> 4u) << 22u);
     }
 }

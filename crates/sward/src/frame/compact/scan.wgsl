@@ -39,7 +39,7 @@ fn scan_blocks(
     @builtin(workgroup_id) group: vec3<u32>,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let band_count = field.patch_count * bands_per_patch();
+    let band_count = page.field.patch_count * bands_per_patch();
     let block = seen_block(group.x);
     let index = block * bands_a_block() + lane;
     let is_band = lane < bands_a_block() && index < band_count;

@@ -15,7 +15,7 @@ fn seen_patch(thread: u32) -> u32 {
     let each = patches_a_block();
     let slot = thread / each;
     if slot >= seen_block_count() {
-        return field.patch_count;
+        return page.field.patch_count;
     }
     return seen_block(slot) * each + thread % each;
 }

@@ -24,7 +24,7 @@ fn list_far(entry: vec2<u32>) {
 @compute @workgroup_size(64)
 fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
     let index = seen_patch(thread.x);
-    if index >= field.patch_count {
+    if index >= page.field.patch_count {
         return;
     }
     let home = patches[index];
@@ -44,7 +44,7 @@ fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
         kept = kept_blades(index, home, count, nearest);
     }
     // The last patch's blades may be fewer, but the scan leaves places in the counts of all bands
-    let end = max(count, field.patch_size);
+    let end = max(count, page.field.patch_size);
     for (var b = 0u; b * BAND < end; b++) {
         let band = index * bands_per_patch() + b;
         let first = b * BAND;

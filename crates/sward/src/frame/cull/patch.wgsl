@@ -40,7 +40,7 @@ fn patch_margin(home: GpuPatch) -> f32 {
     if technique() != CONTINUUM {
         return 0.0;
     }
-    let cluster = field.cluster;
+    let cluster = page.field.cluster;
     let scale = pixels_per_metre(nearest_of(home));
     if cluster_progress(cluster.x * scale) <= 0.0 {
         return 0.0;

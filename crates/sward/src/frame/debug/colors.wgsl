@@ -79,7 +79,7 @@ fn debug_color(index: u32, morph: f32, own: vec3<f32>) -> vec3<f32> {
     let reasons = explained[index];
     let crush = unpack_state(unpack_blade(index), dynamics[index]).crush;
     var color = mix(debug.palette[0].rgb, own, 0.5);
-    let home = (field.first_id + index) / field.patch_size;
+    let home = (page.field.first_id + index) / page.field.patch_size;
     color = select(color, patch_color(home), debug.mode == PATCHES);
     color = select(color, culling_color(reasons), debug.mode == CULLING);
     color = select(color, level_color(morph), debug.mode == LEVEL);

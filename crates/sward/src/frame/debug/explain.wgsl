@@ -34,7 +34,7 @@ fn shown(blade: Blade, decision: Decision, failed: u32) -> u32 {
         return FAR_BILLBOARD_BUCKET | whole;
     }
     let level = level_of(projected_size(blade));
-    let bucket = species_table[blade.species].first_bucket + level.index;
+    let bucket = page.species[blade.species].first_bucket + level.index;
     return bucket | (u32(round(level.morph * 31.0)) << 4u) | whole;
 }
 
@@ -47,7 +47,7 @@ fn explain(
     let band_index = patch_index * bands_per_patch() + group.y;
     let local = group.y * BAND + lane;
     let count = patch_blades(patch_index);
-    let index = patch_index * field.patch_size + local;
+    let index = patch_index * page.field.patch_size + local;
     var decision = Decision(NO_BUCKET, 0u);
     if local < count {
         let blade = unpack_blade(index);

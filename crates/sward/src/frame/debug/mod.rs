@@ -1,7 +1,7 @@
 //! Debug views: their pipelines are made when one is first asked for.
 
 use super::draw::mesh::Mesh;
-use super::draw::pipelines::{Modules, Program, Variant, constants, pipeline};
+use super::draw::pipelines::{DRAWING_FLAGS, Modules, Program, Variant, constants, pipeline};
 use super::draw::topology::Topology;
 use crate::gpu::bindings::{self, Kind, compute, layout};
 use crate::gpu::buffers::{filled, storage};
@@ -11,8 +11,10 @@ use crate::gpu::layout::{
 use crate::gpu::lists::ViewLists;
 use crate::gpu::page::Page;
 use crate::gpu::shaders::Shader;
+use crate::gpu::variants::Variants;
+use crate::gpu::view::Known;
 use crate::renderer::Layouts;
-use crate::{DebugView, Targets};
+use crate::{DebugView, Targets, View};
 use bytemuck::{Pod, Zeroable};
 use wgpu::{BufferUsages, ShaderStages};
 
@@ -35,17 +37,19 @@ pub(crate) struct GpuDebug {
 pub(crate) struct Debug {
     explain_frame: wgpu::BindGroupLayout,
     explain_layout: wgpu::BindGroupLayout,
-    /// For a depth of one sample, and of several.
-    explain: [wgpu::ComputePipeline; 2],
+    /// Its modules, and pipelines by whether the depth is multisampled.
+    explain: [wgpu::ShaderModule; 2],
+    explain_made: Variants<(Known, bool)>,
     draw_layout: wgpu::BindGroupLayout,
-    /// By bucket; of those that a debug view can show.
-    pipelines: Vec<Option<wgpu::RenderPipeline>>,
+    targets: Targets,
+    /// By what is known of views, and by bucket; of those that a debug view can show.
+    pipelines: Vec<(Known, Vec<Option<wgpu::RenderPipeline>>)>,
     indices: Vec<wgpu::Buffer>,
     corners: wgpu::Buffer,
     /// Reasons, by page.
     pub(crate) explained: Vec<wgpu::Buffer>,
-    /// Group 3 by page, of each view that shows one.
-    views: Vec<Option<Vec<wgpu::BindGroup>>>,
+    /// Of each view that shows one: what is known of it, and group 3 by page.
+    views: Vec<Option<(Known, Vec<wgpu::BindGroup>)>>,
 }
 
 fn gpu_debug(view: DebugView) -> GpuDebug {
@@ -67,21 +71,8 @@ pub(crate) fn corners() -> Vec<u32> {
     (0..BLADE_BUCKETS).flat_map(own).collect()
 }
 
-fn explain_pipelines(
-    device: &wgpu::Device,
-    layouts: &Layouts,
-    frame: &wgpu::BindGroupLayout,
-    own: &wgpu::BindGroupLayout,
-) -> [wgpu::ComputePipeline; 2] {
-    let depths = [
-        (Shader::Explain, &layouts.depth),
-        (Shader::ExplainMultisampled, &layouts.depth_multisampled),
-    ];
-    depths.map(|(shader, depth)| {
-        let groups = [frame, &layouts.field, own, depth];
-        compute(device, &shader.module(device), "explain", &groups, &[])
-    })
-}
+/// The explaining shader for a depth of one sample, and of several.
+const EXPLAIN: [Shader; 2] = [Shader::Explain, Shader::ExplainMultisampled];
 
 /// Shader and entry points for each bucket that plants may be in.
 fn program(bucket: usize) -> Option<(Shader, &'static str, &'static str)> {
@@ -103,7 +94,7 @@ fn draw_pipelines(
     device: &wgpu::Device,
     layouts: &Layouts,
     own: &wgpu::BindGroupLayout,
-    targets: Targets,
+    (targets, known): (Targets, Known),
 ) -> Vec<Option<wgpu::RenderPipeline>> {
     let groups = [&layouts.draw_frame, &layouts.draw_field, &layouts.draw, own];
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -114,7 +105,8 @@ fn draw_pipelines(
     let mut modules = Modules::default();
     let mut make = |bucket| {
         let (shader, vertex, fragment) = program(bucket)?;
-        let mut constants = constants(bucket, targets, Variant::default());
+        let variant = Variant { known: Some(known), ..Variant::default() };
+        let mut constants = constants(bucket, targets, variant);
         if bucket < BLADE_BUCKETS {
             constants.push(("INDICES", Mesh::of(bucket).indices.len() as f64));
         }
@@ -126,7 +118,7 @@ fn draw_pipelines(
 }
 
 impl Debug {
-    pub(crate) fn new(device: &wgpu::Device, layouts: &Layouts, targets: Targets) -> Self {
+    pub(crate) fn new(device: &wgpu::Device, targets: Targets) -> Self {
         use Kind::{Read, Uniform, Write};
         let compute_layout =
             |kinds: &[Kind]| layout(device, "sward.explain", ShaderStages::COMPUTE, kinds);
@@ -144,11 +136,13 @@ impl Debug {
             filled(device, "sward.debug_indices", content, BufferUsages::INDEX)
         };
         Self {
-            explain: explain_pipelines(device, layouts, &explain_frame, &explain_layout),
+            explain: EXPLAIN.map(|shader| shader.module(device)),
+            explain_made: Variants::default(),
             explain_frame,
             explain_layout,
-            pipelines: draw_pipelines(device, layouts, &draw_layout, targets),
             draw_layout,
+            targets,
+            pipelines: Vec::new(),
             indices: (0..BUCKETS).map(index_buffer).collect(),
             corners: filled(
                 device,
@@ -164,20 +158,25 @@ impl Debug {
     /// Says what a view shows: a debug view over these pages, or its own look.
     pub(crate) fn set_view(
         &mut self,
-        device: &wgpu::Device,
+        (device, layouts): (&wgpu::Device, &Layouts),
         pages: &[Page],
         index: usize,
-        view: Option<DebugView>,
+        view: &View,
     ) {
         if self.views.len() <= index {
             self.views.resize_with(index + 1, || None);
         }
         let room = |page: &Page| u64::from(page.field.blade_count) * 4;
         let fits = |(page, buffer): (&Page, &wgpu::Buffer)| buffer.size() >= room(page);
-        let known = pages.iter().zip(&self.explained);
-        if self.explained.len() != pages.len() || !known.into_iter().all(fits) {
+        let sized = pages.iter().zip(&self.explained);
+        if self.explained.len() != pages.len() || !sized.into_iter().all(fits) {
             let make = |page| storage(device, "sward.explained", room(page), BufferUsages::empty());
             self.explained = pages.iter().map(make).collect();
+        }
+        let known = Known::of(view).only(DRAWING_FLAGS);
+        if view.debug.is_some() && self.pipelines.iter().all(|(made, _)| *made != known) {
+            let made = draw_pipelines(device, layouts, &self.draw_layout, (self.targets, known));
+            self.pipelines.push((known, made));
         }
         let group = |view| {
             let uniform = gpu_debug(view);
@@ -187,15 +186,15 @@ impl Debug {
                 let list = [&uniform, &self.corners, explained];
                 bindings::buffers(device, "sward.debug", &self.draw_layout, &list)
             };
-            self.explained.iter().map(bind).collect()
+            (known, self.explained.iter().map(bind).collect())
         };
-        self.views[index] = view.map(group);
+        self.views[index] = view.debug.map(group);
     }
 
     /// Lists every blade of a page, with the reasons. The frame's uniform is that of the step.
     pub(crate) fn encode_explain(
         &self,
-        device: &wgpu::Device,
+        (device, layouts): (&wgpu::Device, &Layouts),
         encoder: &mut wgpu::CommandEncoder,
         frame: &wgpu::Buffer,
         (number, page, lists): (usize, &Page, &ViewLists),
@@ -211,7 +210,13 @@ impl Debug {
             label: Some("sward.explain"),
             timestamp_writes: None,
         });
-        pass.set_pipeline(&self.explain[usize::from(multisampled)]);
+        let depth_layout = if multisampled { &layouts.depth_multisampled } else { &layouts.depth };
+        let make = || {
+            let groups = [&self.explain_frame, &layouts.field, &self.explain_layout, depth_layout];
+            let module = &self.explain[usize::from(multisampled)];
+            compute(device, module, "explain", &groups, &lists.known.constants())
+        };
+        pass.set_pipeline(&self.explain_made.get((lists.known, multisampled), make));
         pass.set_bind_group(0, &frame, &[]);
         pass.set_bind_group(1, &page.group, &[]);
         pass.set_bind_group(2, &own, &[]);
@@ -227,15 +232,16 @@ impl Debug {
         (number, page): (usize, &Page),
         view: usize,
     ) -> bool {
-        let Some(Some(groups)) = self.views.get(view) else { return false };
+        let Some(Some((known, groups))) = self.views.get(view) else { return false };
+        let made = self.pipelines.iter().find(|(made, _)| made == known);
         let (Some(lists), Some(own)) = (page.views.get(view), groups.get(number)) else {
             return true;
         };
         pass.set_bind_group(1, &page.draw_group, &[]);
-        pass.set_bind_group(2, &lists.draw, &[]);
+        pass.set_bind_group(2, &lists.lit.draw, &[]);
         pass.set_bind_group(3, own, &[]);
         for bucket in lists.buckets.iter() {
-            let Some(pipeline) = &self.pipelines[bucket] else { continue };
+            let Some(pipeline) = made.and_then(|(_, list)| list[bucket].as_ref()) else { continue };
             pass.set_pipeline(pipeline);
             pass.set_index_buffer(self.indices[bucket].slice(..), wgpu::IndexFormat::Uint16);
             pass.draw_indexed_indirect(&lists.indirect, bucket as u64 * 20);

@@ -53,7 +53,7 @@ fn quad_vertex(vertex: u32, instance: u32) -> QuadVertex {
         return out;
     }
     let kind = (blades[listed.index].y >> 16u) & 0xffu;
-    let look = species_table[kind].look;
+    let look = page.species[kind].look;
     let quads = look.w & 0xffu;
     let corner = vertex % VERTICES;
     let quad = corner / (2u * (PIECES + 1u));
@@ -64,7 +64,7 @@ fn quad_vertex(vertex: u32, instance: u32) -> QuadVertex {
     }
     let blade = unpack_blade(listed.index);
     let state = unpack_state(blade, dynamics[listed.index]);
-    let values = species_table[kind].look_values;
+    let values = page.species[kind].look_values;
     let shape = quad_of(quad, quads, values.x, morph);
     let distance = distance_to(blade.root + blade.up * (0.5 * blade.height));
     let share = band_keep(distance, band_stretch(blade.id), plant_keep(blade.width, distance));
@@ -84,7 +84,7 @@ fn quad_vertex(vertex: u32, instance: u32) -> QuadVertex {
     out.offset = point.position - point.center;
     out.up = blade.up;
     let tone = plant_tone(blade.id, lean, values.z);
-    out.looks = vec4<f32>(species_table[kind].form.z, lean, tone, values.w);
+    out.looks = vec4<f32>(page.species[kind].form.z, lean, tone, values.w);
     out.size = vec4<f32>(size, quad_fade(quads, values.x, morph));
     out.layer = quad_layer(look, blade.id, quad);
     return out;

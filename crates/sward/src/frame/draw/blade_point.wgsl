@@ -55,7 +55,7 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     let fade = listed.fade;
     let blade = unpack_blade(listed.index);
     let state = unpack_state(blade, dynamics[listed.index]);
-    let form = species_table[blade.species].form;
+    let form = page.species[blade.species].form;
     let corner = corner_of(vertex % VERTICES);
     let ring = ring_of(u32(form.w), form.y, corner.v, morph);
 

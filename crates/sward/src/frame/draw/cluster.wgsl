@@ -53,7 +53,7 @@ fn card_corner(
 // What moves the top of a patch's clusters, in heights: what the wind has moved its blades' tips by
 // from where they rest. At rest the tips are so high in the mean.
 fn sway_of(index: u32, up: vec3<f32>) -> vec3<f32> {
-    let sway = unpack_sway(bands[(index / field.patch_size) * bands_per_patch()].sway);
+    let sway = unpack_sway(bands[(index / page.field.patch_size) * bands_per_patch()].sway);
     let rise = dot(sway, up);
     return sway - up * (rise - min(rise / max(canopy.pose.w, 0.05), 0.0));
 }
@@ -73,13 +73,13 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
         return out;
     }
     let blade = unpack_blade(listed.index);
-    let cluster = field.cluster;
+    let cluster = page.field.cluster;
     let distance = distance_to(blade.root + blade.up * (0.5 * blade.height));
     let to_eye = -view_ray(blade.root + blade.up * (0.5 * cluster.z));
     let facing = facing_of(blade.up, to_eye);
     let sway = sway_of(listed.index, blade.up);
     let scale = pixels_per_metre(distance);
-    let count = patch_blades(listed.index / field.patch_size);
+    let count = patch_blades(listed.index / page.field.patch_size);
     // Narrow cards of blades are narrow blades; of flowers they would be streaks, which come texel by texel
     let dissolves = form_of(blade.species) == FORM_BILLBOARD;
     let wide = select(listed.fade, 1.0, dissolves) * cluster_widening(cluster, scale, count);

@@ -85,7 +85,7 @@ impl Draw {
         let own = |(made, _): &&(Variant, _)| *made == lists.variant;
         let Some((_, pipelines)) = self.pipelines.iter().find(own) else { return };
         pass.set_bind_group(1, &page.draw_group, &[]);
-        pass.set_bind_group(2, &lists.draw, &[]);
+        pass.set_bind_group(2, &lists.lit.draw, &[]);
         for bucket in lists.buckets.iter() {
             let Some(pipeline) = &pipelines[bucket] else { continue };
             pass.set_pipeline(pipeline);

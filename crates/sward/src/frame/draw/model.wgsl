@@ -2,7 +2,7 @@
 // along the plant's curve; lit at each pixel as blades are.
 
 // A row a variant of a kind; plants/mesh.rs has every bit
-@group(1) @binding(13) var plant_models: texture_2d<u32>;
+@group(1) @binding(11) var plant_models: texture_2d<u32>;
 
 const MODEL_RANGE: f32 = 1.25;
 // Thicknesses lie within 0..5, and a word's half has been scaled by the range of places
@@ -114,8 +114,8 @@ fn model_vertex(vertex: u32, instance: u32) -> ModelVertex {
         return out;
     }
     let kind = (blades[listed.index].y >> 16u) & 0xffu;
-    let look = species_table[kind].look;
-    let id = field.first_id + listed.index;
+    let look = page.species[kind].look;
+    let id = page.field.first_id + listed.index;
     let texel = vec2<u32>(vertex % VERTICES, look.y / PICTURE_VIEWS + variant_of(look, id));
     let bits = textureLoad(plant_models, texel, 0);
     // Rows are filled up with zeros, which no direction is
@@ -125,7 +125,7 @@ fn model_vertex(vertex: u32, instance: u32) -> ModelVertex {
     let own = unpack_model_point(bits);
     let blade = unpack_blade(listed.index);
     let state = unpack_state(blade, dynamics[listed.index]);
-    let values = species_table[kind].look_values;
+    let values = page.species[kind].look_values;
     let size = vec2<f32>(blade.width, blade.height) * listed.fade;
     let spine = spine_at(blade, state.tip, own.place.y);
     // Wind from the side turns the plant
@@ -158,7 +158,7 @@ fn model_vertex(vertex: u32, instance: u32) -> ModelVertex {
     let share = clamp(own.place.y, 0.0, 1.0);
     out.place = vec2<f32>(share, absorbed_within(offset, blade.up, size, share, values.w));
     out.up = blade.up;
-    out.looks = vec3<f32>(species_table[kind].form.z, lean, own.blocked);
+    out.looks = vec3<f32>(page.species[kind].form.z, lean, own.blocked);
     return out;
 }
 

@@ -108,6 +108,6 @@ fn morphed_section(
 }
 
 fn area_scale(kind: u32, level: u32, morph: f32) -> f32 {
-    let own = species_table[kind].area_scale[level];
-    return mix(own, species_table[kind].area_scale[min(level + 1u, 3u)], morph);
+    let own = page.species[kind].area_scale[level];
+    return mix(own, page.species[kind].area_scale[min(level + 1u, 3u)], morph);
 }

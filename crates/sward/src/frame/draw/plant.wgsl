@@ -9,9 +9,9 @@ override SAMPLES: u32 = 1u;
 // Whether `tints` holds a colour for each blade
 override TINTED: bool = false;
 
-@group(1) @binding(4) var<storage, read> dynamics: array<vec2<u32>>;
+@group(1) @binding(3) var<storage, read> dynamics: array<vec2<u32>>;
 // The colour of the surface at each root, where TINTED
-@group(1) @binding(5) var<storage, read> tints: array<u32>;
+@group(1) @binding(4) var<storage, read> tints: array<u32>;
 @group(2) @binding(1) var<storage, read> list: array<u32>;
 @group(2) @binding(2) var<uniform> draws: array<GpuDraw, 16>;
 
@@ -54,13 +54,13 @@ fn unpack_color(bits: u32) -> vec3<f32> {
 fn blade_color(blade: Blade, tone: f32) -> vec3<f32> {
     let pick = hash01(blade.id, 21u);
     let other = hash01(blade.id, 22u);
-    let colors = species_table[blade.species].colors;
+    let colors = page.species[blade.species].colors;
     let root = mix(unpack_color(colors.x), unpack_color(colors.y), other);
     let tip = mix(unpack_color(colors.z), unpack_color(colors.w), pick);
     var color = mix(root, tip, tone);
     if TINTED {
-        let own = unpack_color(tints[blade.id - field.first_id]);
-        color = mix(color, own * mix(0.8, 1.05, tone), species_table[blade.species].tint);
+        let own = unpack_color(tints[blade.id - page.field.first_id]);
+        color = mix(color, own * mix(0.8, 1.05, tone), page.species[blade.species].tint);
     }
     return color * (0.85 + 0.3 * other);
 }

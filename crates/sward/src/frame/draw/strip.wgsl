@@ -39,7 +39,7 @@ fn strip_vertex(vertex: u32, instance: u32) -> StripVertex {
     }
     let blade = unpack_blade(listed.index);
     let tip = unpack_state(blade, dynamics[listed.index]).tip;
-    let kind = species_table[blade.species];
+    let kind = page.species[blade.species];
     let corner = vertex % VERTICES;
     let ring = corner / 3u;
     let across = f32(corner % 3u) - 1.0;
@@ -72,7 +72,7 @@ fn vs_strip(
 
 // Which of its species' pictures a plant has.
 fn strip_layer(blade: Blade) -> u32 {
-    let look = species_table[blade.species].look;
+    let look = page.species[blade.species].look;
     if look.x != FORM_STRIP {
         // The last is the plain blade of strips
         return textureNumLayers(plant_color) - 1u;

@@ -7,7 +7,7 @@ const PLAIN_STRIP: vec4<f32> = vec4<f32>(1.0471976, 0.2, 0.35, 70.0);
 fn strip_values(kind: u32) -> vec4<f32> {
     return select(
         PLAIN_STRIP,
-        species_table[kind].look_values,
-        species_table[kind].look.x == FORM_STRIP,
+        page.species[kind].look_values,
+        page.species[kind].look.x == FORM_STRIP,
     );
 }

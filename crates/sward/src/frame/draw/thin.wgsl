@@ -6,7 +6,7 @@
 // w w / (w w + 0.7): the same where blades are thinner than a pixel, of which there are most, and nearer to
 // the blade's own look where it is wider, so that single blades can be told apart.
 
-@group(1) @binding(12) var<uniform> canopy: GpuCanopy;
+@group(2) @binding(4) var<uniform> canopy: GpuCanopy;
 // By patch: rgb the mean radiance; a 0 where none is known
 @group(2) @binding(3) var<storage, read> patch_light: array<vec4<f32>>;
 
@@ -23,7 +23,7 @@ fn thin_look(index: u32, width_px: f32) -> vec4<f32> {
     if technique() != CONTINUUM {
         return vec4<f32>(0.0, 0.0, 0.0, 1.0);
     }
-    let mean = patch_light[index / field.patch_size];
+    let mean = patch_light[index / page.field.patch_size];
     var color = mean.rgb;
     if TINTED {
         color = canopy_tinted(color, unpack_color(tints[index]));

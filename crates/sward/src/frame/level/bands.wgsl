@@ -28,7 +28,7 @@ fn band_morph(distance: f32, stretch: f32) -> f32 {
 }
 
 fn is_modelled(species: u32) -> bool {
-    return (species_table[species].look.w & 0x100u) != 0u;
+    return (page.species[species].look.w & 0x100u) != 0u;
 }
 
 // As `Size.keep`, of a plant so wide.

@@ -40,7 +40,7 @@ fn cluster_widening(cluster: vec4<f32>, scale: f32, count: u32) -> f32 {
 
 // A cluster, `grown` so far.
 fn choose_cluster(blade: Blade, size: Size, place: Place, grown: f32) -> Choice {
-    let cluster = field.cluster;
+    let cluster = page.field.cluster;
     let scale = pixels_per_metre(size.distance);
     let gone = canopy_gone(cluster.x * scale * view.detail);
     let kept = mean_kept(cluster_share(cluster, scale)) * (1.0 - gone);
@@ -65,7 +65,7 @@ fn choose_near(blade: Blade, size: Size, place: Place, left: f32) -> Choice {
 }
 
 fn choose_continuum(blade: Blade, size: Size, place: Place) -> Choice {
-    let height = field.cluster.x * pixels_per_metre(size.distance);
+    let height = page.field.cluster.x * pixels_per_metre(size.distance);
     let progress = cluster_progress(height);
     let enough = enough_share(blade, size.width);
     let is_anchor = place.local < anchor_count(place.count);
@@ -91,7 +91,7 @@ const LYING: u32 = 4u;
 fn enough_of_patch(index: u32, home: GpuPatch, count: u32, nearest: f32) -> f32 {
     var sine = 0.0;
     for (var i = 0u; i < min(LYING, count); i++) {
-        let blade = unpack_blade(index * field.patch_size + i);
+        let blade = unpack_blade(index * page.field.patch_size + i);
         sine = max(sine, abs(dot(blade.up, view_ray(blade.root))));
     }
     let across = 0.5 * distance(home.reach_min, home.reach_max) / max(nearest, 1e-3);
@@ -100,7 +100,7 @@ fn enough_of_patch(index: u32, home: GpuPatch, count: u32, nearest: f32) -> f32 
 
 // Plants of the patch's order that any of its points may keep.
 fn kept_continuum(index: u32, home: GpuPatch, count: u32, nearest: f32) -> u32 {
-    let cluster = field.cluster;
+    let cluster = page.field.cluster;
     let scale = pixels_per_metre(nearest);
     let progress = cluster_progress(cluster.x * scale);
     let enough = enough_of_patch(index, home, count, nearest);
@@ -118,7 +118,7 @@ fn kept_continuum(index: u32, home: GpuPatch, count: u32, nearest: f32) -> u32 {
 
 // Whether all that is left of a patch are clusters.
 fn is_clusters_only(nearest: f32) -> bool {
-    let height = field.cluster.x * pixels_per_metre(nearest);
+    let height = page.field.cluster.x * pixels_per_metre(nearest);
     return technique() == CONTINUUM && cluster_progress(height) >= 1.0;
 }
 

@@ -15,7 +15,7 @@ fn enough_at(sine: f32, width_px: f32) -> f32 {
         return 1.0;
     }
     let s = clamp(sine, 0.01, 1.0);
-    let met = field.layers.x * sqrt(1.0 - s * s) / s + field.layers.y;
+    let met = page.field.layers.x * sqrt(1.0 - s * s) / s + page.field.layers.y;
     let share = clamp(ENOUGH_LAYERS / max(met, 1e-6), LEAST_ENOUGH, 1.0);
     let range = ENOUGH_WIDTH_PX;
     return mix(share, 1.0, clamp((width_px * view.detail - range.x) / (range.y - range.x), 0.0, 1.0));

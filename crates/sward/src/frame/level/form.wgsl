@@ -64,7 +64,7 @@ struct Choice {
 fn choose_blade(blade: Blade, size: Size, place: Place) -> Choice {
     let level = level_of(size);
     var choice: Choice;
-    choice.bucket = species_table[blade.species].first_bucket + level.index;
+    choice.bucket = page.species[blade.species].first_bucket + level.index;
     choice.morph = level.morph;
     choice.fade = 1.0;
     choice.widened = widening(size.keep);

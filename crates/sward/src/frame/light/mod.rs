@@ -41,7 +41,7 @@ impl PatchLight {
         let constants = known.constants();
         let make = || compute(device, &self.module, "patch_lights", &groups, &constants);
         pass.set_pipeline(&self.made.get(known, make));
-        pass.set_bind_group(2, &lists.patch_light, &[]);
+        pass.set_bind_group(2, &lists.lit.patch_light, &[]);
         let threads = lists.seen.count * page.patches_a_block();
         pass.dispatch_workgroups(threads.div_ceil(BAND), 1, 1);
     }

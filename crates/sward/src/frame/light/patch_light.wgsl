@@ -13,10 +13,10 @@ const PLACES: u32 = 4u;
 @compute @workgroup_size(64)
 fn patch_lights(@builtin(global_invocation_id) thread: vec3<u32>) {
     let index = seen_patch(thread.x);
-    if index >= field.patch_count || !see_patch(patches[index]).visible {
+    if index >= page.field.patch_count || !see_patch(patches[index]).visible {
         return;
     }
-    let first = index * field.patch_size;
+    let first = index * page.field.patch_size;
     let places = min(PLACES, patch_blades(index));
     var up = vec3<f32>(0.0);
     var root = vec3<f32>(0.0);
@@ -28,7 +28,7 @@ fn patch_lights(@builtin(global_invocation_id) thread: vec3<u32>) {
     up = unit_or(up, vec3<f32>(0.0, 1.0, 0.0));
     let band = bands[index * bands_per_patch()];
     let sway = unpack_sway(band.sway);
-    let to_eye = -view_ray(root + up * (0.5 * field.cluster.x));
+    let to_eye = -view_ray(root + up * (0.5 * page.field.cluster.x));
     let light = canopy_radiance(up, to_eye, sway, sun_shade(root));
     let known = f32(canopy.size.z > 0.0);
     patch_light[index] = vec4<f32>(light, known);

@@ -30,7 +30,7 @@ fn decide(blade: Blade, state: BladeState, place: Place, inside: bool) -> Decisi
             failed |= select(0u, 1u, fails_orientation_paper(blade));
         } else {
             let wide = size.width * choice.widened;
-            let shown = shown_width(blade, pose, wide, species_table[blade.species].form.x);
+            let shown = shown_width(blade, pose, wide, page.species[blade.species].form.x);
             let turn = clamp((shown - 0.1) / 0.2, 0.0, 1.0);
             failed |= select(0u, 1u, turn <= 0.0);
             choice.fade *= turn;

@@ -103,7 +103,7 @@ fn update(
 ) {
     let task = task_of(group.x, lane);
     let slot = patch_slot(lane);
-    let index = task.patch_index * field.patch_size + task.local;
+    let index = task.patch_index * page.field.patch_size + task.local;
     let clock = clock_of(task);
     let stale = SIMULATE && clock.step != frame.step;
     // Whether a leader has anything to write: all others of a band are no anchors

@@ -1,7 +1,7 @@
 // Wind of maps: tiles of winds that repeat and drift.
 
 // The maps of all sources, one below the other; red is along the direction, green across it
-@group(0) @binding(3) var wind_maps: texture_2d<f32>;
+@group(0) @binding(2) var wind_maps: texture_2d<f32>;
 
 // The remainder of a division, in 0 to `period`, also where x is far from it.
 fn wrap_texel(x: f32, period: f32) -> f32 {

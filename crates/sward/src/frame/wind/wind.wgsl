@@ -66,28 +66,28 @@ fn wind_at(position: vec3<f32>, seconds_ago: f32) -> vec3<f32> {
     let count = select(frame.wind_count, 0u, position.x > 3e38);
     for (var i = 0u; i < count; i++) {
         // Each kind reads what it needs, and no more
-        switch wind_sources[i].kind {
+        switch frame.wind_sources[i].kind {
             case 0u: {
-                level += wave_strength(wind_sources[i], position, seconds_ago);
+                level += wave_strength(frame.wind_sources[i], position, seconds_ago);
             }
             case 1u: {
                 if has_wind(1u) {
-                    level += gust_strength(wind_sources[i], position, seconds_ago);
+                    level += gust_strength(frame.wind_sources[i], position, seconds_ago);
                 }
             }
             case 2u: {
                 if has_wind(2u) {
-                    level += cosine_strength(wind_sources[i], position, seconds_ago);
+                    level += cosine_strength(frame.wind_sources[i], position, seconds_ago);
                 }
             }
             case 6u: {
                 if has_wind(3u) {
-                    level += map_strength(wind_sources[i], position, seconds_ago);
+                    level += map_strength(frame.wind_sources[i], position, seconds_ago);
                 }
             }
             default: {
                 if has_wind(3u) {
-                    sum += placed_strength(wind_sources[i], position, seconds_ago);
+                    sum += placed_strength(frame.wind_sources[i], position, seconds_ago);
                 }
             }
         }
