@@ -67,18 +67,17 @@ fn canopy_row(sine: f32) -> f32 {
 
 // How much rest and the three winds count where the mean tip is moved so far: a cubic through all four.
 fn canopy_shares(moved: f32) -> vec4<f32> {
-    let a = canopy.pose.x;
-    let b = canopy.pose.y;
-    let c = canopy.pose.z;
-    let least = min(a, min(b - a, c - b));
-    let x = clamp(moved, 0.0, c);
-    let shares = vec4<f32>(
+    // Apart, also where wind moves the grass hardly or not at all
+    let a = max(canopy.pose.x, 0.01);
+    let b = max(canopy.pose.y, a + 0.01);
+    let c = max(canopy.pose.z, b + 0.01);
+    let x = clamp(moved, 0.0, canopy.pose.z);
+    return vec4<f32>(
         (x - a) * (x - b) * (x - c) / (-a * b * c),
         x * (x - b) * (x - c) / (a * (a - b) * (a - c)),
         x * (x - a) * (x - c) / (b * (b - a) * (b - c)),
         x * (x - a) * (x - b) / (c * (c - a) * (c - b)),
     );
-    return select(shares, vec4<f32>(1.0, 0.0, 0.0, 0.0), least < 0.01);
 }
 
 // `sway`: how far wind moves the mean tip, in heights; what it has along `up` does not count.
