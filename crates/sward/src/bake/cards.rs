@@ -102,18 +102,21 @@ pub(crate) fn lines(chains: &[Chain]) -> Lines {
 
 /// How cards of a field stand.
 #[derive(Debug, Clone, Copy)]
-struct Cards<'a> {
-    size: Size,
-    cover: &'a [f32; STEPS],
+pub(crate) struct Cards<'a> {
+    /// Of each.
+    pub size: Size,
+    /// As of [`Clusters::cover`].
+    pub cover: &'a [f32; STEPS],
     /// Clusters a square metre.
-    dense: f32,
-    canopy: &'a GpuCanopy,
+    pub dense: f32,
+    /// Of their field.
+    pub canopy: &'a GpuCanopy,
 }
 
 impl Cards<'_> {
     /// The pictures of an elevation and how often the higher ones are drawn: the twin of `picture_of`
     /// in cluster.wgsl.
-    fn drawn_from(&self, angle: f32) -> (usize, f32) {
+    pub(crate) fn drawn_from(&self, angle: f32) -> (usize, f32) {
         let elevation = angle * (ELEVATIONS - 1) as f32 / FRAC_PI_2;
         let below = elevation.floor().min((ELEVATIONS - 2) as f32);
         let part = elevation - below;
@@ -122,8 +125,9 @@ impl Cards<'_> {
         (below as usize, high / ((1.0 - part) * tall(below) + high))
     }
 
-    /// Clusters that a ray meets on its way to the ground: the twin of `cards_met`, `wider` included.
-    fn met(&self, angle: f32) -> f32 {
+    /// Clusters that a ray meets on its way to the ground, each as wide as it is; as if they stood at random
+    /// places.
+    fn alone(&self, angle: f32) -> f32 {
         let step = angle * (STEPS - 1) as f32 / FRAC_PI_2;
         let low = step.floor().min((STEPS - 2) as f32);
         let tall = |at: f32| self.size.tall(at * FRAC_PI_2 / (STEPS - 1) as f32);
@@ -132,9 +136,19 @@ impl Cards<'_> {
         let sine = angle.sin().max(1e-3);
         let share = area / (2.0 * self.size.radius * self.size.tall(angle));
         let alpha = (share / (1.0 - TOGETHER * sine)).clamp(1e-3, 0.95);
-        let met = (self.dense * area / sine * -(1.0 - alpha).ln() / alpha).max(1e-6);
-        let blades = self::met(self.canopy, sine);
-        met * (blades.min(HIDING) / met).clamp(1.0, MOST_WIDER)
+        (self.dense * area / sine * -(1.0 - alpha).ln() / alpha).max(1e-6)
+    }
+
+    /// How many times as wide they are drawn where a ray meets so many blades: the twin of `wider`, without
+    /// wind.
+    pub(crate) fn wider(&self, angle: f32, blades: f32) -> f32 {
+        (blades.min(HIDING) / self.alone(angle)).clamp(1.0, MOST_WIDER)
+    }
+
+    /// Clusters that a ray meets as they are drawn.
+    fn met(&self, angle: f32) -> f32 {
+        let blades = self::met(self.canopy, angle.sin());
+        self.alone(angle) * self.wider(angle, blades)
     }
 }
 
