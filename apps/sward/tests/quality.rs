@@ -1,5 +1,5 @@
-//! A small `sward quality`: pictures of 160 x 90 pixels, short runs of each path, few slabs of
-//! distance. What is seen must not change where plants change their form.
+//! A small `sward quality`: pictures of 160 x 90 pixels, short runs of each path, few ranges
+//! of distance. What is seen must not change where plants change their form.
 
 mod common;
 
@@ -53,9 +53,10 @@ fn nothing_jumps() {
     }
 }
 
-/// `--check` asks for 0.02, which is not reached yet: these are a little above what was measured when
-/// the canopy's light came to be taken in the wind that blows (0.31, 0.22, 0.004), and may only fall.
-const DRIFT: [(&str, f64); 3] = [("coverage", 0.33), ("luminance", 0.24), ("colour", 0.01)];
+/// `--check` asks for 0.02, which these small pictures, of few and large clusters, do not reach: chance
+/// alone is half of it (`drift.error`). A little above what was measured (0.138, 0.061, 0.003); they may
+/// only fall.
+const DRIFT: [(&str, f64); 3] = [("coverage", 0.145), ("luminance", 0.066), ("colour", 0.006)];
 
 #[test]
 fn drift_grows_no_further() {
@@ -89,7 +90,12 @@ fn every_number_is_there_and_sensible() {
         assert_eq!(frames.iter().filter(|frame| frame["jump"].is_null()).count(), 1);
     }
     for view in json["drift"]["views"].as_array().unwrap() {
-        assert!(view["bins"].as_array().unwrap().len() >= 3, "{said}");
+        let bins = view["bins"].as_array().unwrap();
+        assert!(bins.len() >= 3, "{said}");
+        assert!(bins.iter().flat_map(|bin| bin["error"].as_array().unwrap()).all(|error| {
+            let error = error.as_f64().unwrap();
+            error > 0.0 && error < 0.2
+        }));
     }
     assert!(!json["drift"]["views"][0]["changes"].as_array().unwrap().is_empty(), "{said}");
 }
@@ -105,8 +111,11 @@ fn all_blades_are_as_the_reference() {
     let json: Value = serde_json::from_str(&json).unwrap();
     assert!(json["flip"].is_null() && json["dolly"].is_null() && json["still"].is_null());
     for bin in json["drift"]["views"][0]["bins"].as_array().unwrap() {
+        // Nearer than was measured before, and steeply from above: the upper part of a bent blade shows
+        // more than the lower one, which is wider, and one segment has the same width for both.
+        let steep = bin["range_m"][1].as_f64().unwrap() < 3.5;
         // Blades of one segment are darker than those of eight.
-        for (what, most) in [("coverage", 0.07), ("luminance", 0.14)] {
+        for (what, most) in [("coverage", if steep { 0.12 } else { 0.07 }), ("luminance", 0.14)] {
             let [reference, test] = [0, 1].map(|i| bin[what][i].as_f64().unwrap());
             assert!((test / reference - 1.0).abs() < most, "{what}: {bin}");
         }

@@ -21,7 +21,7 @@
 //! [`crate::Light`], `haze.w` its share a metre.
 
 use crate::Field;
-use crate::bake::canopy::canopy;
+use crate::bake::canopy::{canopy, met};
 use crate::bake::cover::ROWS;
 use crate::bake::stand::{Stands, WINDS};
 use crate::changes::CANOPY_END_PX;
@@ -72,11 +72,7 @@ impl Canopy {
     /// Share of the ground that the grass hides, 0..=1, from an elevation whose sine is `sine`: 1
     /// straight from above, 0 from the horizon.
     pub fn coverage(&self, sine: f32) -> f32 {
-        let last = ROWS as f32 - 1.0;
-        let row = (last + sine.abs().max(1e-3).log2()).clamp(0.0, last);
-        let low = (row as usize).min(ROWS - 2);
-        let open = |row: usize| self.gpu.rows[row].rest.around[3];
-        1.0 - (open(low) + (open(low + 1) - open(low)) * (row - low as f32))
+        1.0 - (-met(&self.gpu, sine)).exp()
     }
 
     /// Mean reflectance of what shows from straight above, linear RGB, each blade as dark as its

@@ -5,7 +5,7 @@ use crate::gpu::view::{CLUSTER_HEIGHT_PX, LEAST_WIDTH_PX, focal_px};
 use crate::{Range, Species, Technique, View};
 
 /// Heights on the screen between which clusters end: a test compares them with end.wgsl.
-pub(crate) const CANOPY_END_PX: [f32; 2] = [2.0, 0.7];
+pub(crate) const CANOPY_END_PX: [f32; 2] = [1.0, 0.35];
 
 /// A change of form, over a range of distances: plants of one species differ in size.
 #[derive(Debug, Clone, Copy, PartialEq)]

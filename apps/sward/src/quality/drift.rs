@@ -1,19 +1,15 @@
 //! Coverage, luminance and colour against distance, and how they drift where plants change form.
 //!
-//! Near and far plane of a camera cut out slabs of distance, so that what lies before and behind
-//! does not count. A slab is drawn twice, as it is under test and as a reference.
+//! Pixels are sorted by how far the ground under them is, whatever covers it, and summed by distance,
+//! as they are under test and in the reference. So each sum is over the same pixels in both.
 
-use super::ground::Ground;
+use super::bins::{Bin, Bins};
 use super::pair::Pair;
-use crate::stage::{LightMap, StageOptions};
+use crate::stage::StageOptions;
 use anyhow::Result;
-use glam::{Quat, Vec3};
 use serde::Serialize;
 use sward::{Change, View};
 use sward_scene::{Camera, Scene};
-
-/// Pixels' worth of grass that a slab must show in the reference to be counted.
-const LEAST_PIXELS: f32 = 200.0;
 
 /// Drift, over all views and changes.
 #[derive(Debug, Clone, Serialize)]
@@ -24,6 +20,9 @@ pub struct Drift {
     pub luminance: f32,
     /// Of the colour, brightness left out.
     pub colour: f32,
+    /// The largest standard error of coverage and luminance across a change, as a share: what chance
+    /// makes of it, by which plants are kept and where they stand.
+    pub error: f32,
     /// Each view.
     pub views: Vec<ViewDrift>,
 }
@@ -31,25 +30,12 @@ pub struct Drift {
 /// What one camera sees.
 #[derive(Debug, Clone, Serialize)]
 pub struct ViewDrift {
-    /// Which camera.
+    /// Which cameras.
     pub camera: String,
-    /// Slabs of distance, nearest first.
+    /// Ranges of distance, nearest first.
     pub bins: Vec<Bin>,
-    /// Changes that the slabs reach across.
+    /// Changes that the ranges reach across.
     pub changes: Vec<ChangeDrift>,
-}
-
-/// A slab of distance.
-#[derive(Debug, Clone, Copy, Serialize)]
-pub struct Bin {
-    /// Its near and far plane, metres.
-    pub range_m: [f32; 2],
-    /// Share of the picture that is grass: reference, test.
-    pub coverage: [f32; 2],
-    /// Mean luminance of the whole picture, of which the slab is all that is not black.
-    pub luminance: [f32; 2],
-    /// Mean colour, as parts of its own luminance.
-    pub colour: [[f32; 3]; 2],
 }
 
 /// How far test over reference moves across a change.
@@ -65,47 +51,43 @@ pub struct ChangeDrift {
     pub luminance: f32,
     /// Largest change of the difference in colour.
     pub colour: f32,
+    /// Largest standard error of the two first, as a share.
+    pub error: f32,
 }
 
-/// Measures in `slabs` slabs altogether, as many a view.
-pub(super) fn measure<const N: usize>(
+/// Measures from groups of cameras, each of which is taken together.
+pub(super) fn measure(
     pair: &mut Pair,
     scene: &Scene,
     options: &StageOptions,
-    views: [(&str, Camera); N],
-    slabs: u32,
+    views: &[(&str, Vec<Camera>)],
     step: &dyn Fn(),
 ) -> Result<Drift> {
-    let ground = Ground::new(scene, Quat::IDENTITY);
     pair.show_sky(false);
+    let tallest = scene.fields.iter().flat_map(|field| &field.desc.species);
+    let tallest_m = tallest.fold(0.0, |most: f32, species| most.max(species.height_m.max));
     let mut drifts = Vec::new();
-    for (name, camera) in views {
-        let changes = changes(scene, options, &camera);
-        let mut bins = Vec::new();
-        for range_m in ranges(&ground, &camera, slabs) {
-            let [near_m, far_m] = range_m;
-            pair.look_from(&Camera { near_m, far_m, ..camera.clone() })?;
+    for (name, cameras) in views {
+        let mut bins = Bins::new(options.size, tallest_m);
+        for camera in cameras {
+            pair.look_from(camera)?;
+            let places = pair.opaque_places()?;
             let (reference, test) = pair.light_maps()?;
-            bins.extend(Bin::new(range_m, &reference, &test));
+            bins.add(camera, &places, &reference, &test);
             step();
         }
-        let across = changes.iter().filter_map(|change| across(&bins, change)).collect();
-        drifts.push(ViewDrift { camera: name.into(), bins, changes: across });
+        let bins = bins.sums();
+        let changes = cameras.first().map(|camera| changes(scene, options, camera));
+        let across = changes.iter().flatten().filter_map(|change| across(&bins, change)).collect();
+        drifts.push(ViewDrift { camera: (*name).into(), bins, changes: across });
     }
     pair.show_sky(true);
     let largest = |pick: fn(&ChangeDrift) -> f32| {
         drifts.iter().flat_map(|view| &view.changes).map(pick).fold(0.0, f32::max)
     };
     let (coverage, luminance) = (largest(|c| c.coverage), largest(|c| c.luminance));
-    Ok(Drift { coverage, luminance, colour: largest(|c| c.colour), views: drifts })
-}
-
-/// Slabs whose depths grow with the distance.
-fn ranges(ground: &Ground, camera: &Camera, slabs: u32) -> Vec<[f32; 2]> {
-    let far = ground.farthest(camera.eye).min(camera.far_m);
-    let near = camera.near_m.max(far / 150.0).min(far * 0.5);
-    let edge = |i: u32| near * (far / near).powf(i as f32 / slabs as f32);
-    (0..slabs).map(|i| [edge(i), edge(i + 1)]).collect()
+    let error = largest(|c| c.error);
+    Ok(Drift { coverage, luminance, colour: largest(|c| c.colour), error, views: drifts })
 }
 
 /// The changes of all species, those of one name joined.
@@ -129,41 +111,7 @@ fn changes(scene: &Scene, options: &StageOptions, camera: &Camera) -> Vec<Change
     joined
 }
 
-const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);
-
-impl Bin {
-    /// `None` where hardly any grass shows.
-    fn new(range_m: [f32; 2], reference: &LightMap, test: &LightMap) -> Option<Self> {
-        let sums = |map: &LightMap| {
-            let start = (Vec3::ZERO, 0.0_f32);
-            map.pixels().fold(start, |(light, grass), (l, g)| (light + l, grass + g))
-        };
-        let pixels = (reference.size[0] * reference.size[1]) as f32;
-        let both = [sums(reference), sums(test)];
-        if both[0].1 < LEAST_PIXELS {
-            return None;
-        }
-        let luminance = both.map(|(light, _)| light.dot(LUMINANCE) / pixels);
-        Some(Self {
-            range_m,
-            coverage: both.map(|(_, grass)| grass / pixels),
-            luminance,
-            colour: both.map(|(light, _)| (light / light.dot(LUMINANCE).max(1e-9)).to_array()),
-        })
-    }
-
-    fn ratio(pair: [f32; 2]) -> f32 {
-        pair[1] / pair[0].max(1e-9)
-    }
-
-    fn colour_off(&self) -> Vec3 {
-        let [reference, test] = self.colour.map(Vec3::from);
-        (test - reference) / reference.length().max(1e-9)
-    }
-}
-
-/// From the last slab before a change to the first after it; `None` where the slabs do not reach so
-/// far.
+/// From the last range before a change to the first after it; `None` where they do not reach so far.
 fn across(bins: &[Bin], change: &Change) -> Option<ChangeDrift> {
     let before = bins.iter().rposition(|bin| bin.range_m[1] <= change.nearest_m).unwrap_or(0);
     let reached = bins.get(before)?.range_m[0] < change.farthest_m;
@@ -185,6 +133,10 @@ fn across(bins: &[Bin], change: &Change) -> Option<ChangeDrift> {
         coverage: share(|bin| bin.coverage),
         luminance: share(|bin| bin.luminance),
         colour: largest(&|bin| (bin.colour_off() - first.colour_off()).length()),
+        error: largest(&|bin| {
+            let both = bin.error.iter().zip(first.error).map(|(own, other)| own.hypot(other));
+            both.fold(0.0, f32::max)
+        }),
     })
 }
 
@@ -194,7 +146,8 @@ mod tests {
 
     fn bin(range_m: [f32; 2], ratio: f32) -> Bin {
         let gray = [1.0; 3];
-        Bin { range_m, coverage: [0.2, 0.2 * ratio], luminance: [0.3; 2], colour: [gray; 2] }
+        let coverage = [0.2, 0.2 * ratio];
+        Bin { range_m, coverage, luminance: [0.3; 2], colour: [gray; 2], error: [0.01; 2] }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //!
 //! What each number means, and how it is measured, is told in `docs/quality.md`.
 
+mod bins;
 mod chart;
 mod drift;
 mod ground;
@@ -12,7 +13,8 @@ mod paths;
 mod plots;
 mod series;
 
-pub use drift::{Bin, ChangeDrift, Drift, ViewDrift};
+pub use bins::Bin;
+pub use drift::{ChangeDrift, Drift, ViewDrift};
 pub use limits::Limits;
 pub use page::markdown;
 pub use plots::plots;
@@ -55,15 +57,13 @@ pub struct Settings {
     pub path_frames: u32,
     /// Frames of the still camera.
     pub still_frames: u32,
-    /// Slabs of distance that drift is measured in.
-    pub slabs: u32,
 }
 
 impl Default for Settings {
     /// A few minutes on a software adapter.
     fn default() -> Self {
         let parts = vec![Part::Flip, Part::Paths, Part::Drift, Part::Still];
-        Self { parts, path_frames: 24, still_frames: 30, slabs: 16 }
+        Self { parts, path_frames: 24, still_frames: 30 }
     }
 }
 
@@ -155,7 +155,7 @@ pub fn steps(settings: &Settings) -> u64 {
     let of = |part, steps| if settings.parts.contains(&part) { steps } else { 0 };
     u64::from(
         2 + of(Part::Paths, frames)
-            + of(Part::Drift, 2 * settings.slabs)
+            + of(Part::Drift, 3 * paths::SIDES)
             + of(Part::Still, settings.still_frames),
     )
 }
@@ -190,8 +190,8 @@ pub fn measure(
     let dolly = path(Which::Dolly)?;
     let orbit = path(Which::Orbit)?;
     let flydown = path(Which::FlyDown)?;
-    let views = [("camera", camera.clone()), ("above", paths.camera(Which::FlyDown, 0.5))];
-    let drift = || drift::measure(&mut pair, scene, options, views, settings.slabs, step);
+    let views = paths.views();
+    let drift = || drift::measure(&mut pair, scene, options, &views, step);
     let drift = has(Part::Drift).then(drift).transpose()?;
     let info = gpu.adapter.get_info();
     let quality = Quality {

@@ -44,6 +44,7 @@ fn write(text: &mut String, quality: &Quality) -> std::fmt::Result {
             let limit = limits.drift * 1e2;
             writeln!(text, "| drift of {name} | {:.2} % | {limit} % |", value * 1e2)?;
         }
+        writeln!(text, "| drift: standard error, up to | {:.2} % | |", drift.error * 1e2)?;
     }
     if let Some(still) = quality.still {
         let equal = if still.equal { "equal" } else { "not equal" };
@@ -56,19 +57,23 @@ fn write(text: &mut String, quality: &Quality) -> std::fmt::Result {
 }
 
 fn changes(text: &mut String, drift: &Drift) -> std::fmt::Result {
-    writeln!(text, "\n| view | change | from, m | to, m | coverage | luminance | colour |")?;
-    writeln!(text, "|---|---|---|---|---|---|---|")?;
+    writeln!(
+        text,
+        "\n| view | change | from, m | to, m | coverage | luminance | colour | standard error |"
+    )?;
+    writeln!(text, "|---|---|---|---|---|---|---|---|")?;
     for view in &drift.views {
         for change in &view.changes {
             let [from, to] = change.range_m;
             writeln!(
                 text,
-                "| {} | {} | {from:.1} | {to:.1} | {:.2} % | {:.2} % | {:.2} % |",
+                "| {} | {} | {from:.1} | {to:.1} | {:.2} % | {:.2} % | {:.2} % | {:.2} % |",
                 view.camera,
                 change.name,
                 change.coverage * 1e2,
                 change.luminance * 1e2,
-                change.colour * 1e2
+                change.colour * 1e2,
+                change.error * 1e2
             )?;
         }
     }

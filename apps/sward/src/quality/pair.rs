@@ -4,6 +4,7 @@ use super::Still;
 use crate::gpu::Gpu;
 use crate::stage::{LightMap, Stage, StageOptions};
 use anyhow::Result;
+use glam::Vec3;
 use image::RgbImage;
 use sward::Field;
 use sward_scene::{Camera, Scene};
@@ -51,6 +52,11 @@ impl Pair {
     /// The same in linear light.
     pub fn light_maps(&mut self) -> Result<(LightMap, LightMap)> {
         Ok((self.reference.light_map()?, self.test.light_map()?))
+    }
+
+    /// What each pixel would show without grass.
+    pub fn opaque_places(&mut self) -> Result<Vec<Option<Vec3>>> {
+        self.test.opaque_places()
     }
 
     /// Share of each pixel that is grass in the reference.

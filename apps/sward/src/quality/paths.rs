@@ -13,6 +13,12 @@ const HEIGHTS_M: [f32; 2] = [60.0, 2.0];
 const BEHIND_M: f32 = 30.0;
 /// Neighbouring frames that are drawn together where not all are drawn.
 const RUN: u32 = 4;
+/// Sides from which drift is looked at, over a quarter turn.
+pub(super) const SIDES: u32 = 4;
+
+/// Where on the fly-down drift is measured, too: 8 and 31 m over the ground.
+const RAISED: f32 = 0.9;
+const ABOVE: f32 = 0.5;
 
 /// Which path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,6 +100,26 @@ impl Paths {
             up: self.camera.up,
             ..camera
         }
+    }
+
+    /// Cameras that drift is measured from, those of a name together: at the scene's own height, half
+    /// way down the fly-down, and near its end; from sides spread over the orbit.
+    pub fn views(&self) -> [(&'static str, Vec<Camera>); 3] {
+        let around = |at: &dyn Fn(f32) -> Camera| {
+            (0..SIDES).map(|i| at(i as f32 / (SIDES - 1) as f32)).collect()
+        };
+        let back = self.turn.inverse();
+        let down = |t: f32| {
+            let camera = self.fly_down(t);
+            around(&|side| {
+                let turn = Quat::from_rotation_y(self.angle * side);
+                let eye = self.center + turn * (camera.eye - self.center);
+                let up = self.camera.up;
+                Camera { eye: back * eye, target: back * camera.target, up, ..camera.clone() }
+            })
+        };
+        let own = around(&|t| self.camera(Which::Orbit, t));
+        [("camera", own), ("raised", down(RAISED)), ("above", down(ABOVE))]
     }
 
     fn dolly(&self, t: f32) -> Camera {

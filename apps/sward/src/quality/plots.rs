@@ -30,7 +30,7 @@ pub fn plots(quality: &Quality, pictures: &Pictures) -> Vec<(String, RgbImage)> 
     for view in quality.drift.iter().flat_map(|drift| &drift.views) {
         let name = |what: &str| format!("{what}_{}.png", view.camera);
         let coverage = both(view, |bin| bin.coverage);
-        all.push((name("coverage"), against_distance(view, "share of the picture", coverage)));
+        all.push((name("coverage"), against_distance(view, "share of the pixels", coverage)));
         let luminance = both(view, |bin| bin.luminance);
         all.push((name("luminance"), against_distance(view, "mean luminance", luminance)));
         all.push((name("ratio"), against_distance(view, "test over reference", ratios(view))));

@@ -3,7 +3,7 @@
 
 use super::frame::FrameUniform;
 use super::fullscreen::{Fullscreen, FullscreenDesc, Input};
-use super::post::Post;
+use super::post::{Position, Post};
 use super::targets::{Targets, texture};
 use super::{Stage, readback};
 use crate::gpu::Gpu;
@@ -11,6 +11,9 @@ use anyhow::{Context, Result};
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
 pub(super) const SUM_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+
+/// Beyond a tenth of this lies the sky: see post/position.wgsl.
+const SKY_M: f32 = 1e9;
 
 /// A picture in linear light, row by row.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,6 +101,24 @@ impl Stage {
         let pixels = readback::floats(&self.gpu, &target.means)?;
         self.readable = Some(target);
         Ok(LightMap { size, pixels })
+    }
+
+    /// The place of the opaque thing that each pixel would show without grass, row by row; `None`
+    /// where it would show the sky. Not of references, which are drawn in tiles.
+    ///
+    /// # Errors
+    /// Where the device fails.
+    pub fn opaque_places(&mut self) -> Result<Vec<Option<Vec3>>> {
+        let (device, options) = (&self.gpu.device, &self.options);
+        let position = Position::new(device, &self.uniform, options.size, options.samples);
+        self.depth_is_opaque = false;
+        let mut encoder = self.encoder();
+        self.encode_opaque(&mut encoder);
+        position.run(&self.gpu.device, &mut encoder, &self.uniform, &self.targets.depth);
+        self.submit(encoder);
+        let places = readback::floats(&self.gpu, position.target())?;
+        let thing = |place: Vec4| (place.xyz().length() < 0.1 * SKY_M).then_some(place.xyz());
+        Ok(places.into_iter().map(thing).collect())
     }
 
     /// Looks at the same moment from elsewhere.

@@ -1,5 +1,6 @@
 //! What a field looks like as a whole, from each elevation, at rest and in wind from each side.
 
+use super::cards::set_cards;
 use super::cluster::Clusters;
 use super::cover::{Cover, ROWS, look, sine};
 use super::harmonics::Look;
@@ -39,8 +40,11 @@ pub(crate) fn canopy(stands: &Stands, clusters: Option<&Clusters>) -> GpuCanopy 
         }
     }
     let means = &stands.means;
-    let (radius, height) = clusters.map_or((0.0, 0.0), |c| (c.radius_m, c.height_m));
+    let (radius, height) = clusters.map_or((0.0, 0.0), |c| (c.size.radius, c.size.height));
     result.size = [radius, height, means.height, stands.root_open];
+    if let Some(clusters) = clusters {
+        set_cards(&mut result, clusters, stands.each_m2);
+    }
     result.pose = pose(&fitted);
     result.tint = means.plain.extend(means.tint).to_array();
     result.tint_mean = means.surface.extend(0.0).to_array();
@@ -120,6 +124,19 @@ fn gpu_row(row: &Row) -> GpuCanopyRow {
         rest: mean(0).0,
         winds: std::array::from_fn(wind),
     }
+}
+
+/// Blades that a ray of that sine meets on its way to the ground, at rest: the twin of `canopy_met`.
+pub(crate) fn met(canopy: &GpuCanopy, sine: f32) -> f32 {
+    let last = ROWS - 1;
+    let row = last as f32 + sine.abs().clamp(1e-3, 1.0).log2();
+    let low = (row.max(0.0) as usize).min(last - 1);
+    let along = |sine: f32| 1.0 / (sine * sine) - 1.0;
+    let [from, to] = [low, low + 1].map(self::sine);
+    let part = (along(from) - along(sine.abs().clamp(from, to))) / (along(from) - along(to));
+    let [first, second] =
+        [low, low + 1].map(|row| -canopy.rows[row].rest.around[3].max(LEAST_OPEN).ln());
+    (first * first * (1.0 - part) + second * second * part).sqrt()
 }
 
 /// Blades that a ray meets on its way to the ground, in the mean, for each metre along over each metre of

@@ -2,7 +2,8 @@
 //! four sides.
 
 use super::Triangle;
-use super::cover::axes;
+pub(crate) use super::cards::{AZIMUTHS, ELEVATIONS};
+use super::cards::{Lines, STEPS, Size, card, cover, lines};
 use super::harmonics::depth_shade;
 use super::layers::{Layers, color_of, shape_of};
 use super::means::evenly;
@@ -11,18 +12,11 @@ use super::raster::Window;
 use super::stand::Stands;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
-use std::f32::consts::{FRAC_PI_2, TAU};
 
 /// Blades that a cluster stands for.
 pub(crate) const CLUSTER_BLADES: usize = 32;
 /// Places of the field that clusters are taken from.
 pub(crate) const VARIANTS: usize = 4;
-/// Elevations that they are seen from: 0, 30, 60 and 90 degrees.
-pub(crate) const ELEVATIONS: usize = 4;
-/// Sides that they are seen from.
-pub(crate) const AZIMUTHS: usize = 4;
-/// Texels of an edge.
-const TEXELS: u32 = 64;
 /// Samples a side of a texel.
 const SAMPLES: u32 = 3;
 
@@ -33,32 +27,12 @@ pub(crate) struct Clusters {
     pub color: Layers,
     /// Normal (x to the right, y up, z level towards the eye), and height share.
     pub shape: Layers,
-    /// Half width, metres.
-    pub radius_m: f32,
-    /// Height, metres.
-    pub height_m: f32,
-}
-
-/// A picture of a cluster: from the near foot of the cylinder that holds it to its far top.
-fn picture(
-    triangles: &[Triangle],
-    radius: f32,
-    height: f32,
-    elevation: usize,
-    side: usize,
-) -> (Window, Chain) {
-    let angle = elevation as f32 * FRAC_PI_2 / (ELEVATIONS - 1) as f32;
-    let [_, right, up] = axes(side as f32 * TAU / AZIMUTHS as f32, angle.sin());
-    let tall = height * angle.cos();
-    let window = Window {
-        center: up * (0.5 * tall),
-        right,
-        up,
-        half: Vec2::new(radius, 0.5 * tall + radius * angle.sin()),
-        size: [TEXELS; 2],
-        samples: SAMPLES,
-    };
-    (window, plain(window.see(triangles).tile()))
+    /// Of the cylinder that holds one.
+    pub size: Size,
+    /// Share of its card that it covers in the mean, seen from 0, 15, .. 90 degrees.
+    pub cover: [f32; STEPS],
+    /// What rows of the pictures hold.
+    pub lines: Lines,
 }
 
 /// Bakes all layers; the same for any number of threads.
@@ -69,6 +43,7 @@ pub(crate) fn clusters(stands: &Stands) -> Clusters {
     let points = || variants.iter().flatten().flatten().map(|corner| corner.position);
     let radius = points().map(|p| Vec2::new(p.x, p.z).length()).fold(1e-3, f32::max);
     let height = points().map(|p| p.y).fold(1e-3, f32::max);
+    let size = Size { radius, height };
     let count = VARIANTS * ELEVATIONS * AZIMUTHS;
     let open = stands.root_open;
     let layer = |index: usize| {
@@ -76,7 +51,8 @@ pub(crate) fn clusters(stands: &Stands) -> Clusters {
         // A small field has fewer places
         let variant = index / (AZIMUTHS * ELEVATIONS) % variants.len().max(1);
         let own = variants.get(variant).map_or(&[][..], |list| list);
-        let (window, mut chain) = picture(own, radius, height, elevation, side);
+        let window = Window { samples: SAMPLES, ..card(size, 2 * elevation, side) };
+        let mut chain = plain(window.see(own).tile());
         let toward = window.right.cross(Vec3::Y);
         for texel in chain.iter_mut().flat_map(|tile| &mut tile.texels) {
             let n = texel.normal;
@@ -85,11 +61,14 @@ pub(crate) fn clusters(stands: &Stands) -> Clusters {
         }
         chain
     };
+    let measured = |step: usize| cover(&variants, size, step);
+    let covers: Vec<f32> = (0..STEPS).into_par_iter().map(measured).collect();
     let chains: Vec<Chain> = (0..count).into_par_iter().map(layer).collect();
     Clusters {
         color: Layers::new(&chains, color_of),
         shape: Layers::new(&chains, shape_of),
-        radius_m: radius,
-        height_m: height,
+        size,
+        cover: std::array::from_fn(|step| covers.get(step).copied().unwrap_or(0.0)),
+        lines: lines(&chains),
     }
 }

@@ -3,6 +3,7 @@
 
 mod bodies;
 pub(crate) mod canopy;
+pub(crate) mod cards;
 pub(crate) mod cluster;
 pub(crate) mod color;
 pub(crate) mod cover;

@@ -240,8 +240,7 @@ impl Seen<'_> {
         self.hits.iter().filter_map(|hit| Some((hit.triangle as usize, self.surface(hit)?)))
     }
 
-    /// Share of the window that is covered; tests compare the picture's with it.
-    #[cfg(test)]
+    /// Share of the window that is covered.
     pub(crate) fn coverage(&self) -> f32 {
         let covered = self.hits.iter().filter(|hit| hit.triangle != u32::MAX).count();
         covered as f32 / self.hits.len().max(1) as f32

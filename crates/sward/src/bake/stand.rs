@@ -82,6 +82,8 @@ pub(crate) struct Stands {
     pub means: Means,
     /// Square metres of ground that it stands on.
     pub ground_m2: f32,
+    /// The same for each blade.
+    pub each_m2: f32,
 }
 
 /// A stand's triangles in a pose.
@@ -196,7 +198,7 @@ impl Stands {
             stand.blades.iter_mut().for_each(|blade| blade.move_root(scale));
         }
         let ground_m2 = ground.each * field.blades().len() as f32;
-        Self { stands, root_open: field_openness(field), means, ground_m2 }
+        Self { stands, root_open: field_openness(field), means, ground_m2, each_m2: ground.each }
     }
 
     /// All of them, fitted together to the means of the field.

@@ -45,7 +45,7 @@ fn pictures() {
     println!("clusters {:?}", start.elapsed());
     let canopy = canopy(&stands, Some(&baked));
     println!("canopy {:?}", start.elapsed());
-    println!("{} m wide, {} m high", baked.radius_m, baked.height_m);
+    println!("{} m wide, {} m high", baked.size.radius, baked.size.height);
     println!("{:#?} {:#?}", canopy.size, canopy.pose);
     println!("periods {:?}", stands.stands.iter().map(|s| s.period).collect::<Vec<_>>());
     sheet(&baked.color, "/tmp/bake_color.ppm");
@@ -118,7 +118,7 @@ fn clusters_cover_what_their_blades_do() {
             texels.iter().map(|t| f32::from(t[3])).sum::<f32>() / (255 * texels.len()) as f32
         };
         let (side, top) = (mean(0), mean(3));
-        let window = 2.0 * baked.radius_m * baked.height_m;
+        let window = 2.0 * baked.size.radius * baked.size.height;
         let leaves = CLUSTER_BLADES as f32 * stands.means.area;
         let most = leaves * 0.64 / window;
         assert!(side < most && side > 0.5 * most, "level {level}: {side} of {most}");
@@ -158,7 +158,7 @@ fn small_fields_are_baked() {
         let stands = Stands::of(&field);
         let baked = clusters(&stands);
         assert_eq!(baked.color.count as usize, VARIANTS * ELEVATIONS * AZIMUTHS);
-        assert!(baked.radius_m.is_finite() && baked.height_m > 0.3, "{}", baked.height_m);
+        assert!(baked.size.radius.is_finite() && baked.size.height > 0.3, "{}", baked.size.height);
         let canopy = canopy(&stands, Some(&baked));
         assert!(bytemuck::cast_slice::<_, f32>(&[canopy]).iter().all(|x| x.is_finite()));
     }

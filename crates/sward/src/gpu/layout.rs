@@ -243,6 +243,7 @@ pub struct GpuCanopy {
     pub pose: [f32; 4],
     pub tint: [f32; 4],
     pub tint_mean: [f32; 4],
+    pub cards: [[f32; 4]; 8],
     pub rows: [GpuCanopyRow; 6],
 }
 

@@ -150,7 +150,7 @@ fn structs_of_the_view() -> Vec<Expected> {
         expected!(GpuLook { waves, around, tilt }),
         expected!(GpuBent { mean, first, second, third, across, across_double }),
         expected!(GpuCanopyRow { shown, rest, winds }),
-        expected!(GpuCanopy { size, pose, tint, tint_mean, rows }),
+        expected!(GpuCanopy { size, pose, tint, tint_mean, cards, rows }),
         expected!(GpuSweep {
             origin,
             cell,

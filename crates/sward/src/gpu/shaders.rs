@@ -59,6 +59,7 @@ const CANOPY_LIGHT: &str = part!("frame/light/canopy_light.wgsl");
 const END: &str = part!("frame/light/end.wgsl");
 const PATCH_LIGHT: &str = part!("frame/light/patch_light.wgsl");
 const THIN: &str = part!("frame/draw/thin.wgsl");
+const CARDS: &str = part!("frame/draw/cards.wgsl");
 const CLUSTER: &str = part!("frame/draw/cluster.wgsl");
 const PLANT: &str = part!("frame/draw/plant.wgsl");
 const PICTURES: &str = part!("frame/draw/pictures.wgsl");
@@ -197,7 +198,7 @@ impl Shader {
         let strip = [STRIP_LOOK, STRIP_SHAPE, STRIP];
         let cards = [DEBUG_COLORS, DEBUG_CARDS];
         let cluster =
-            [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &thin, &[PICTURES, CLUSTER]];
+            [&[STATE, BAND, DRAWS, VIEW][..], &level, &light, &thin, &[PICTURES, CARDS, CLUSTER]];
         let cluster = cluster.concat();
         let collide = [PRIMITIVE, NEAR, CUBOID, CONTACT];
         let motion = [STATE, BAND, VIEW, WIND, WIND_PLACED, WIND_TEXTURED, PHYSICS, PAPER];

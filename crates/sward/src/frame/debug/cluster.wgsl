@@ -6,7 +6,7 @@ struct DebugClusterVertex {
     @location(1) @interpolate(flat) color: vec3<f32>,
     @location(2) @interpolate(flat) layer: u32,
     @location(3) @interpolate(flat) seed: u32,
-    @location(4) @interpolate(flat) shown: f32,
+    @location(4) @interpolate(flat) alpha: f32,
 }
 
 @vertex
@@ -18,7 +18,7 @@ fn vs_debug_cluster(
     let listed = listed_plant(vertex, instance);
     let mean = canopy.rows[3].shown.rgb;
     let color = debug_color(listed.index, 0.0, mean);
-    return DebugClusterVertex(own.clip, own.uv, color, own.layer, own.seed, own.shown);
+    return DebugClusterVertex(own.clip, own.uv, color, own.layer, own.seed, own.alpha);
 }
 
 // Whether a pixel lies on the card's rim.
@@ -31,7 +31,7 @@ fn on_rim(uv: vec2<f32>) -> bool {
 fn fs_debug_cluster(in: DebugClusterVertex) -> ClusterPixel {
     let texel = textureSample(cluster_color, picture_sampler, in.uv, in.layer);
     let rim = on_rim(in.uv);
-    let inside = samples_covered(texel.a * in.shown, grain(in.uv, in.seed), in.seed);
+    let inside = samples_covered(texel.a * in.alpha, grain(in.uv, in.seed), in.seed);
     let samples = select(inside, select(0u, (1u << SAMPLES) - 1u, rim), debug.mode == WIREFRAME);
     if samples == 0u {
         discard;

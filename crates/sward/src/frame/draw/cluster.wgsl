@@ -12,42 +12,8 @@ struct ClusterVertex {
     @location(2) @interpolate(flat) haze: f32,
     @location(3) @interpolate(flat) layer: u32,
     @location(4) @interpolate(flat) seed: u32,
-    // Share of its texels that show
-    @location(6) @interpolate(flat) shown: f32,
-}
-
-// The frame of a card: level towards the eye and to the right of it.
-struct Facing {
-    toward: vec3<f32>,
-    right: vec3<f32>,
-    // Of the angle between the ray and the ground
-    sine: f32,
-}
-
-fn facing_of(up: vec3<f32>, to_eye: vec3<f32>) -> Facing {
-    let sine = dot(up, to_eye);
-    let level = to_eye - up * sine;
-    // From straight above any direction will do
-    let toward = unit_or(level, tangent_frame(up).first);
-    return Facing(toward, cross(up, toward), sine);
-}
-
-// Corners 0 to 3: left and right of the bottom, left and right of the top. `sway`: what moves the
-// top, in heights.
-fn card_corner(
-    corner: u32,
-    facing: Facing,
-    up: vec3<f32>,
-    radius: f32,
-    height: f32,
-    widened: f32,
-    sway: vec3<f32>,
-) -> vec3<f32> {
-    let side = facing.right * select(-radius * widened, radius * widened, (corner & 1u) == 1u);
-    if corner < 2u {
-        return side + facing.toward * radius;
-    }
-    return side - facing.toward * radius + (up + sway) * height;
+    // What its texels' alpha is multiplied by
+    @location(6) @interpolate(flat) alpha: f32,
 }
 
 // What moves the top of a patch's clusters, in heights: what the wind has moved its blades' tips by
@@ -56,13 +22,6 @@ fn sway_of(index: u32, up: vec3<f32>) -> vec3<f32> {
     let sway = unpack_sway(bands[(index / page.field.patch_size) * bands_per_patch()].sway);
     let rise = dot(sway, up);
     return sway - up * (rise - min(rise / max(canopy.pose.w, 0.05), 0.0));
-}
-
-// Which picture: one of four places, elevations and sides, the next to the view's or the one after.
-fn picture_of(id: u32, facing: Facing) -> u32 {
-    let elevation = asin(clamp(facing.sine, 0.0, 1.0)) * (3.0 / 1.5707963);
-    let row = min(u32(elevation + hash01(id, 51u)), 3u);
-    return ((hash_u32(id) & 3u) * 4u + row) * 4u + (hash_u32(id ^ 0x5bd1u) & 3u);
 }
 
 fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
@@ -80,20 +39,24 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
     let sway = sway_of(listed.index, blade.up);
     let scale = pixels_per_metre(distance);
     let count = patch_blades(listed.index / page.field.patch_size);
+    let elevation = asin(clamp(facing.sine, 0.0, 1.0)) * (3.0 / 1.5707963);
+    let met = patch_light[listed.index / page.field.patch_size].a;
     // Narrow cards of blades are narrow blades; of flowers they would be streaks, which come texel by texel
     let dissolves = form_of(blade.species) == FORM_BILLBOARD;
-    let wide = select(listed.fade, 1.0, dissolves) * cluster_widening(cluster, scale, count);
+    let wide = select(listed.fade, 1.0, dissolves) * cluster_widening(cluster, scale, count)
+        * wider(elevation, facing, sway, met);
     let corner = vertex % VERTICES;
     let position = blade.root
         + card_corner(corner, facing, blade.up, cluster.y, cluster.z, wide, sway);
     out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
     out.uv = vec2<f32>(f32(corner & 1u), f32(corner < 2u));
     out.look = thin_look(listed.index, 2.0 * cluster.w * scale);
-    out.texels = canopy_texels(blade.up, to_eye);
+    out.texels = card_tone(elevation, facing.sine);
     out.haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
-    out.layer = picture_of(blade.id, facing);
+    let picture = picture_of(blade.id, elevation);
+    out.layer = picture.layer;
+    out.alpha = picture.alpha * select(1.0, listed.fade, dissolves);
     out.seed = hash_u32(blade.id);
-    out.shown = select(1.0, listed.fade, dissolves);
     return out;
 }
 
@@ -133,7 +96,7 @@ struct ClusterPixel {
 @fragment
 fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
     let texel = textureSample(cluster_color, picture_sampler, in.uv, in.layer);
-    let samples = samples_covered(texel.a * in.shown, grain(in.uv, in.seed), in.seed);
+    let samples = samples_covered(texel.a * in.alpha, grain(in.uv, in.seed), in.seed);
     if samples == 0u {
         discard;
     }

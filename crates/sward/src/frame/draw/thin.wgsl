@@ -7,7 +7,7 @@
 // the blade's own look where it is wider, so that single blades can be told apart.
 
 @group(2) @binding(4) var<uniform> canopy: GpuCanopy;
-// By patch: rgb the mean radiance; a 0 where none is known
+// By patch: rgb the mean radiance; a blades that a ray meets, 0 where none is known
 @group(2) @binding(3) var<storage, read> patch_light: array<vec4<f32>>;
 
 // How far one plant's look differs from the mean: 1 as it is, 0 not at all.

@@ -2,6 +2,8 @@
 // far off each is drawn as a cluster that stands for its share, and the others are not drawn. Which
 // anchor changes when, and which plants go first, follows from the plant alone: there is no ring.
 
+// Clusters are drawn at most so many times as wide as they are, to leave no more of the ground open
+const MOST_WIDER: f32 = 1.5;
 // Share of the change over which one cluster grows
 const CLUSTER_GROWS: f32 = 0.25;
 // Share over which the anchor itself shrinks before
@@ -49,7 +51,7 @@ fn choose_cluster(blade: Blade, size: Size, place: Place, grown: f32) -> Choice 
     choice.fade = grown * rank_fade(share_that_keeps(kept), rank) * range_fade(size.distance);
     choice.bucket = select(CLUSTER_BUCKET, NO_BUCKET, choice.fade <= 0.0);
     choice.widened = cluster_widening(cluster, scale, place.count);
-    choice.margin = cluster.y * max(choice.widened, 1.0) + cluster.z;
+    choice.margin = cluster.y * max(choice.widened, 1.0) * MOST_WIDER + cluster.z;
     choice.single = false;
     return choice;
 }

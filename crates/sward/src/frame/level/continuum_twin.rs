@@ -9,7 +9,7 @@ const CLUSTER_GROWS: f32 = 0.25;
 const ANCHOR_SHRINKS: f32 = 0.1;
 const FADE_SHARE: f32 = 0.3;
 /// Of end.wgsl.
-const CANOPY_END_PX: [f32; 2] = [2.0, 0.7];
+const CANOPY_END_PX: [f32; 2] = [1.0, 0.35];
 
 pub(crate) fn anchor_count(count: u32) -> u32 {
     count.div_ceil(CLUSTER_BLADES)

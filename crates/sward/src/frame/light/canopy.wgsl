@@ -26,7 +26,8 @@ struct GpuBent {
 }
 
 struct GpuCanopyRow {
-    // rgb mean of the albedo in the canopy's own shade, w mean height: 0 root, 1 tip
+    // rgb mean of the albedo in the canopy's own shade, or of the texels of clusters where there are any;
+    // w mean height: 0 root, 1 tip
     shown: vec4<f32>,
     rest: GpuLook,
     winds: array<GpuBent, 3>,
@@ -42,6 +43,9 @@ struct GpuCanopy {
     // are multiplied by; and their mean. Zero but for `tint_mean` 1 elsewhere
     tint: vec4<f32>,
     tint_mean: vec4<f32>,
+    // Clusters seen from 0, 15, .. 90 degrees: w the share of a card that they cover; rgb the mean of their
+    // texels that show, from 30 degrees on (`rows` has it up to there). The last: x clusters a square metre
+    cards: array<vec4<f32>, 8>,
     rows: array<GpuCanopyRow, 6>,
 }
 
@@ -105,12 +109,21 @@ fn canopy_view(up: vec3<f32>, to_eye: vec3<f32>, sway: vec3<f32>) -> CanopyView 
     return view;
 }
 
-// Mean of the texels of clusters that show: of the albedo in the canopy's own shade.
-fn canopy_texels(up: vec3<f32>, to_eye: vec3<f32>) -> vec3<f32> {
-    let row = canopy_row(dot(up, to_eye));
-    let low = min(u32(row), CANOPY_ROWS - 2u);
-    let shown = mix(canopy.rows[low].shown, canopy.rows[low + 1u].shown, row - f32(low));
-    return max(shown.rgb, vec3<f32>(1e-4));
+// Square of metres along the ground over metres of height.
+fn canopy_along(sine: f32) -> f32 {
+    return 1.0 / (sine * sine) - 1.0;
+}
+
+// Blades that a ray meets between two elevations, where so much of the ground is open from these: what
+// shows of each is taken as an ellipsoid, by squares of how far along the ground the ray runs.
+fn canopy_met(low: u32, open: vec2<f32>, sine: f32) -> f32 {
+    let first = exp2(f32(low) - 5.0);
+    let from_along = canopy_along(first);
+    let to_along = canopy_along(2.0 * first);
+    let along = canopy_along(clamp(abs(sine), first, 2.0 * first));
+    let met = -log(max(open, vec2<f32>(5e-4)));
+    let part = (from_along - along) / (from_along - to_along);
+    return sqrt(mix(met.x * met.x, met.y * met.y, part));
 }
 
 fn canopy_row_open(row: u32, view: CanopyView) -> f32 {
@@ -129,8 +142,8 @@ fn canopy_row_open(row: u32, view: CanopyView) -> f32 {
 fn canopy_coverage(up: vec3<f32>, to_eye: vec3<f32>, sway: vec3<f32>) -> f32 {
     let view = canopy_view(up, to_eye, sway);
     let low = min(u32(view.row), CANOPY_ROWS - 2u);
-    let part = view.row - f32(low);
-    return 1.0 - mix(canopy_row_open(low, view), canopy_row_open(low + 1u, view), part);
+    let open = vec2<f32>(canopy_row_open(low, view), canopy_row_open(low + 1u, view));
+    return 1.0 - exp(-canopy_met(low, open, dot(up, to_eye)));
 }
 
 fn canopy_luminance(color: vec3<f32>) -> f32 {

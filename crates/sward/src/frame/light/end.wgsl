@@ -1,7 +1,7 @@
 // Where grass ends: its look passes to the ground.
 
 // Heights of the grass in pixels between which that happens.
-const CANOPY_END_PX: vec2<f32> = vec2<f32>(2.0, 0.7);
+const CANOPY_END_PX: vec2<f32> = vec2<f32>(1.0, 0.35);
 
 // Share of the plants of this height in pixels, times detail, that the ground shows in their place.
 fn canopy_gone(height_px: f32) -> f32 {

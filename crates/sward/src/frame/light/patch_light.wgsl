@@ -3,7 +3,8 @@
 
 @group(2) @binding(1) var<storage, read> bands: array<GpuBand>;
 @group(2) @binding(2) var<uniform> canopy: GpuCanopy;
-// rgb mean radiance; a 1, or 0 where nothing is known of the field's mean
+// rgb mean radiance; a blades that a ray meets on its way to the ground, or 0 where nothing is known of
+// the field's mean
 @group(2) @binding(3) var<storage, read_write> patch_light: array<vec4<f32>>;
 @group(2) @binding(4) var<uniform> seen_blocks: array<vec4<u32>, 68>;
 
@@ -30,6 +31,6 @@ fn patch_lights(@builtin(global_invocation_id) thread: vec3<u32>) {
     let sway = unpack_sway(band.sway);
     let to_eye = -view_ray(root + up * (0.5 * page.field.cluster.x));
     let light = canopy_radiance(up, to_eye, sway, sun_shade(root));
-    let known = f32(canopy.size.z > 0.0);
-    patch_light[index] = vec4<f32>(light, known);
+    let met = -log(max(1.0 - canopy_coverage(up, to_eye, sway), 1e-4));
+    patch_light[index] = vec4<f32>(light, select(0.0, max(met, 1e-3), canopy.size.z > 0.0));
 }
