@@ -129,13 +129,13 @@ impl PhysicsPass {
         wind.resize(Wind::MAX_SOURCES, Zeroable::zeroed());
         let mut primitives: Vec<_> = around.primitives.iter().map(GpuPrimitive::from).collect();
         primitives.resize(primitives.len().max(1), Zeroable::zeroed());
-        let bytes = bytemuck::bytes_of(&frame);
-        let frame = buffer(&self.device, bytes, wgpu::BufferUsages::UNIFORM);
-        let wind = buffer(&self.device, bytemuck::cast_slice(&wind), wgpu::BufferUsages::UNIFORM);
+        // The sources stand at the end of the frame
+        let bytes = [bytemuck::bytes_of(&frame), bytemuck::cast_slice(&wind)].concat();
+        let frame = buffer(&self.device, &bytes, wgpu::BufferUsages::UNIFORM);
         let primitives = buffer(&self.device, bytemuck::cast_slice(&primitives), storage);
         let gaps = buffer(&self.device, bytemuck::cast_slice(gaps_s), storage);
         let no_maps = self.no_maps();
-        let group0 = self.group(0, &[&frame, &wind, &primitives], Some(&no_maps));
+        let group0 = self.group(0, &[&frame, &primitives], Some(&no_maps));
         let group1 = self.group(1, &[&self.blades, &self.states, &gaps], None);
         let mut encoder = self.device.create_command_encoder(&Default::default());
         {
