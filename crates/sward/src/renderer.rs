@@ -51,7 +51,7 @@ pub enum Stage {
     Visibility,
     /// Physics, tests and level in one pass: the default.
     Update,
-    /// The mean light of the patches, for [`Technique::Continuum`]; others have none.
+    /// The mean light of the patches, for [`Technique::Continuum`](crate::Technique::Continuum); others have none.
     Light,
     /// Prefix sums and the draw list.
     Compact,
@@ -391,7 +391,7 @@ impl Renderer {
 
     /// Bytes of all that the fields hold on the GPU: [`Self::blade_bytes`], and the textures and light
     /// of plants and clusters, which are the same for any number of blades. Clusters are there once a
-    /// view by [`Technique::Continuum`] was culled.
+    /// view by [`Technique::Continuum`](crate::Technique::Continuum) was culled.
     pub fn gpu_bytes(&self) -> u64 {
         self.blade_bytes() + pictures::bytes(self.pages.iter().map(|page| &page.pictures))
     }
