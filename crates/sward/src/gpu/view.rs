@@ -11,12 +11,12 @@ pub const LEAST_WIDTH_PX: f32 = 1.4;
 
 /// Mean height of the grass, pixels at detail 1, where blades begin to turn into clusters, and where
 /// all have.
-pub const CLUSTER_HEIGHT_PX: [f32; 2] = [18.0, 10.0];
+pub const CLUSTER_HEIGHT_PX: [f32; 2] = [20.0, 12.0];
 /// Clusters are thinned and widened to this many pixels at detail 1.
 pub const LEAST_CLUSTER_PX: f32 = 4.0;
 /// Heights count so many times where segments are chosen, beside those of `Technique::Blades`: what
 /// clusters save far away is spent on curves near by.
-pub const FINER_LEVELS: f32 = 1.2;
+pub const FINER_LEVELS: f32 = 1.1;
 
 pub const FRUSTUM: u32 = 1;
 pub const DISTANCE: u32 = 2;
