@@ -5,7 +5,6 @@ use crate::frame::compact::Compact;
 use crate::frame::cull::Cull;
 use crate::frame::debug::Debug;
 use crate::frame::draw::Draw;
-use crate::frame::draw::mesh::vertices_by_bucket;
 use crate::frame::draw::pipelines::{DRAWING_FLAGS, Variant};
 use crate::frame::light::PatchLight;
 use crate::frame::sweep::patches::SweepStage;
@@ -13,9 +12,8 @@ use crate::frame::update::{Look, Motion, Update, Work};
 use crate::gpu::buffers;
 use crate::gpu::limits;
 use crate::gpu::page::Page;
-use crate::gpu::pictures;
 use crate::gpu::quantize::species_table;
-use crate::gpu::statistics::{PageCounts, ReadBack};
+use crate::gpu::statistics::ReadBack;
 use crate::gpu::uploads::Upload;
 use crate::gpu::view::{Known, check_view, gpu_view};
 use crate::plants::layers::PlantLayers;
@@ -23,6 +21,7 @@ use crate::{Error, Field, Frame, PhysicsModel, Statistics, View};
 
 mod baked;
 mod clock;
+mod counting;
 mod debugging;
 mod inputs;
 mod layouts;
@@ -350,19 +349,6 @@ impl Renderer {
         }
     }
 
-    fn record_statistics(&mut self, device: &wgpu::Device, encoder: &mut wgpu::CommandEncoder) {
-        let counts: Vec<_> = self
-            .pages
-            .iter()
-            .filter_map(|page| {
-                let lists = page.views.first()?;
-                let (counted, draws) = (&lists.counted, &lists.draws);
-                Some(PageCounts { counted, draws, work_size: &page.work_size })
-            })
-            .collect();
-        self.read_back.record(device, encoder, &counts);
-    }
-
     /// Draws the blades of a view into the host's pass, whose targets are those of
     /// [`Renderer::new`].
     pub fn draw(&self, pass: &mut wgpu::RenderPass, view: usize) {
@@ -373,27 +359,6 @@ impl Renderer {
                 self.draw.encode(pass, page.1, view);
             }
         }
-    }
-
-    /// The newest counts of view 0 that have come back, a frame or more late; never waits.
-    pub fn statistics(&mut self, device: &wgpu::Device) -> Option<Statistics> {
-        // A poll that finds nothing is no error, and a lost device has nothing to report
-        let _ = device.poll(wgpu::PollType::Poll);
-        let counted = self.read_back.collect(&vertices_by_bucket())?;
-        let Statistics { blades, patches, .. } = self.totals;
-        Some(Statistics { blades, patches, ..counted })
-    }
-
-    /// Bytes of all buffers that grow with the blades, lists included.
-    pub fn blade_bytes(&self) -> u64 {
-        self.pages.iter().map(|page| page.bytes() + page.list_bytes()).sum()
-    }
-
-    /// Bytes of all that the fields hold on the GPU: [`Self::blade_bytes`], and the textures and light
-    /// of plants and clusters, which are the same for any number of blades. Clusters are there once a
-    /// view by [`Technique::Continuum`](crate::Technique::Continuum) was culled.
-    pub fn gpu_bytes(&self) -> u64 {
-        self.blade_bytes() + pictures::bytes(self.pages.iter().map(|page| &page.pictures))
     }
 }
 
