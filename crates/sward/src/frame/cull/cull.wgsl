@@ -43,7 +43,8 @@ fn cull(@builtin(global_invocation_id) thread: vec3<u32>) {
     if seen.visible {
         kept = kept_blades(index, home, count, nearest);
     }
-    // The last patch's blades may be fewer, but the scan leaves places in the counts of all bands
+    // All bands, as the scan has left places in their counts, those beyond the last patch's blades included.
+    // `count` is never more: with a bound by the uniform alone a driver would unroll the loop anew in each frame
     let end = max(count, page.field.patch_size);
     for (var b = 0u; b * BAND < end; b++) {
         let band = index * bands_per_patch() + b;

@@ -44,6 +44,18 @@ struct BladePoint {
     hidden: bool,
 }
 
+// Equation 21, in heights: a ring's place on the curve, moved as its level asks.
+fn curve_at(up: vec3<f32>, tip: vec3<f32>, knee: vec3<f32>, v: f32, ring: Ring) -> vec3<f32> {
+    let a = knee * v;
+    let b = mix(knee, tip, v);
+    let bend = tip - 2.0 * knee;
+    // Across the blade only: along it, every mark on it has its place. One direction for all of it,
+    // so that levels agree where they change
+    let along = unit_or(tip, up);
+    let aside = bend - along * dot(bend, along);
+    return mix(a, b, v) + bend * ring.bend - aside * ring.outward;
+}
+
 fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     var out: BladePoint;
     let listed = listed_plant(vertex, instance);
@@ -59,17 +71,8 @@ fn blade_point(vertex: u32, instance: u32) -> BladePoint {
     let corner = corner_of(vertex % VERTICES);
     let ring = ring_of(u32(form.w), form.y, corner.v, morph);
 
-    // Equation 21, in heights
     let knee = middle_point(state.tip, blade.up, blade.arch);
-    let a = knee * corner.v;
-    let b = mix(knee, state.tip, corner.v);
-    let bend = state.tip - 2.0 * knee;
-    // Across the blade only: along it, every mark on it has its place. One direction for all of it,
-    // so that levels agree where they change
-    let along = unit_or(state.tip, blade.up);
-    let aside = bend - along * dot(bend, along);
-    let curve = mix(a, b, corner.v) + bend * ring.bend - aside * ring.outward;
-    let center = blade.root + curve * blade.height;
+    let center = blade.root + curve_at(blade.up, state.tip, knee, corner.v, ring) * blade.height;
 
     let distance = distance_to(blade.root + blade.up * (0.5 * blade.height));
     let width_px = blade.width * pixels_per_metre(distance);
