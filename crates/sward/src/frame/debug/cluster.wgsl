@@ -2,11 +2,13 @@
 
 struct DebugClusterVertex {
     @builtin(position) clip: vec4<f32>,
-    @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
+    @location(0) @interpolate(linear, centroid) uv: vec2<f32>,
     @location(1) @interpolate(flat) color: vec3<f32>,
-    @location(2) @interpolate(flat) layer: u32,
-    @location(3) @interpolate(flat) seed: u32,
-    @location(4) @interpolate(flat) alpha: f32,
+    @location(2) @interpolate(flat) cells: vec2<f32>,
+    @location(3) @interpolate(flat) layer: u32,
+    @location(4) @interpolate(flat) seed: u32,
+    @location(5) @interpolate(flat) alpha: f32,
+    @location(6) @interpolate(flat) mip: f32,
 }
 
 @vertex
@@ -18,7 +20,16 @@ fn vs_debug_cluster(
     let listed = listed_plant(vertex, instance);
     let mean = canopy.rows[3].shown.rgb;
     let color = debug_color(listed.index, 0.0, mean);
-    return DebugClusterVertex(own.clip, own.uv, color, own.layer, own.seed, own.alpha);
+    return DebugClusterVertex(
+        own.clip,
+        own.uv,
+        color,
+        own.cells,
+        own.layer,
+        own.seed,
+        own.alpha,
+        own.mip,
+    );
 }
 
 // Whether a pixel lies on the card's rim.
@@ -29,9 +40,9 @@ fn on_rim(uv: vec2<f32>) -> bool {
 
 @fragment
 fn fs_debug_cluster(in: DebugClusterVertex) -> ClusterPixel {
-    let texel = textureSample(cluster_color, picture_sampler, in.uv, in.layer);
+    let texel = textureSampleLevel(cluster_color, picture_sampler, in.uv, in.layer, in.mip);
     let rim = on_rim(in.uv);
-    let inside = samples_covered(texel.a * in.alpha, grain(in.uv, in.seed), in.seed);
+    let inside = samples_covered(texel.a * in.alpha, grain(in.uv, in.cells, in.seed), in.seed);
     let samples = select(inside, select(0u, (1u << SAMPLES) - 1u, rim), debug.mode == WIREFRAME);
     if samples == 0u {
         discard;

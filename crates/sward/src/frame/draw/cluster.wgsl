@@ -4,16 +4,19 @@
 
 struct ClusterVertex {
     @builtin(position) clip: vec4<f32>,
-    @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
-    // rgb the mean; a how far texels differ from it
-    @location(1) @interpolate(flat) look: vec4<f32>,
-    // Mean of the texels that show
-    @location(5) @interpolate(flat) texels: vec3<f32>,
-    @location(2) @interpolate(flat) haze: f32,
-    @location(3) @interpolate(flat) layer: u32,
-    @location(4) @interpolate(flat) seed: u32,
+    // Cards are small beside their distance: the screen's own way will do
+    @location(0) @interpolate(linear, centroid) uv: vec2<f32>,
+    // The colour of a texel t is `base` + `gain` t t
+    @location(1) @interpolate(flat) base: vec3<f32>,
+    @location(2) @interpolate(flat) gain: vec3<f32>,
+    // Cells of the grain, across and along
+    @location(3) @interpolate(flat) cells: vec2<f32>,
+    @location(4) @interpolate(flat) layer: u32,
+    @location(5) @interpolate(flat) seed: u32,
     // What its texels' alpha is multiplied by
     @location(6) @interpolate(flat) alpha: f32,
+    // Which of the picture's sizes
+    @location(7) @interpolate(flat) mip: f32,
 }
 
 // What moves the top of a patch's clusters, in heights: what the wind has moved its blades' tips by
@@ -50,14 +53,35 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
         + card_corner(corner, facing, blade.up, cluster.y, cluster.z, wide, sway);
     out.clip = view.clip_from_world * vec4<f32>(position, 1.0);
     out.uv = vec2<f32>(f32(corner & 1u), f32(corner < 2u));
-    out.look = thin_look(listed.index, 2.0 * cluster.w * scale);
-    out.texels = card_tone(elevation, facing.sine);
-    out.haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
     let picture = picture_of(blade.id, elevation);
     out.layer = picture.layer;
     out.alpha = picture.alpha * select(1.0, listed.fade, dissolves);
     out.seed = hash_u32(blade.id);
+    let size_px = max(vec2<f32>(2.0 * cluster.y * wide, card_height(elevation)) * scale, vec2<f32>(1e-3));
+    out.mip = mip_of(size_px, out.seed);
+    out.cells = grain_cells(size_px);
+    let haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
+    let look = thin_look(listed.index, 2.0 * cluster.w * scale);
+    var texels = card_tone(elevation, facing.sine);
+    if TINTED {
+        texels = vec3<f32>(canopy_luminance(texels));
+    }
+    out.base = mix(look.rgb * (1.0 - look.a), frame.haze.rgb, haze);
+    out.gain = look.rgb * look.a * (1.0 - haze) / texels;
     return out;
+}
+
+// The picture's size that has a texel a pixel lies between two: either by chance, so that one is read
+// where the mean of two would be.
+fn mip_of(size_px: vec2<f32>, seed: u32) -> f32 {
+    let texels = f32(textureDimensions(cluster_color).x);
+    let between = max(log2(texels / min(size_px.x, size_px.y)), 0.0);
+    return floor(between + hash01(seed, 53u));
+}
+
+// Cells are about a pixel wide and four high, as the blades are that are narrower than that.
+fn grain_cells(size_px: vec2<f32>) -> vec2<f32> {
+    return exp2(floor(log2(max(size_px, vec2<f32>(1.0))))) * vec2<f32>(1.0, 0.25);
 }
 
 @vertex
@@ -68,12 +92,9 @@ fn vs_cluster(
     return cluster_vertex(vertex, instance);
 }
 
-// A random number a cell of the picture, 0 to 1: cells are about a pixel wide and four high, as the
-// blades are that are narrower than that. They belong to the cluster, so they move with it.
-fn grain(uv: vec2<f32>, seed: u32) -> f32 {
-    let step = max(abs(dpdx(uv)) + abs(dpdy(uv)), vec2<f32>(1e-4));
-    let cells = exp2(floor(log2(1.0 / step)));
-    let cell = vec2<u32>(max(uv, vec2<f32>(0.0)) * cells * vec2<f32>(1.0, 0.25));
+// A random number a cell of the picture, 0 to 1. Cells belong to the cluster, so they move with it.
+fn grain(uv: vec2<f32>, cells: vec2<f32>, seed: u32) -> f32 {
+    let cell = vec2<u32>(max(uv, vec2<f32>(0.0)) * cells);
     return hash01(cell.x + (cell.y << 16u), seed);
 }
 
@@ -93,19 +114,35 @@ struct ClusterPixel {
     @builtin(sample_mask) samples: u32,
 }
 
+fn cluster_texel(in: ClusterVertex) -> vec4<f32> {
+    return textureSampleLevel(cluster_color, picture_sampler, in.uv, in.layer, in.mip);
+}
+
+fn cluster_radiance(in: ClusterVertex, texel: vec3<f32>) -> vec4<f32> {
+    var own = texel * texel;
+    if TINTED {
+        // The baked colours are of other places: what is brighter there is brighter here
+        own = vec3<f32>(canopy_luminance(own));
+    }
+    return vec4<f32>(in.base + in.gain * own, 1.0);
+}
+
 @fragment
 fn fs_cluster(in: ClusterVertex) -> ClusterPixel {
-    let texel = textureSample(cluster_color, picture_sampler, in.uv, in.layer);
-    let samples = samples_covered(texel.a * in.alpha, grain(in.uv, in.seed), in.seed);
+    let texel = cluster_texel(in);
+    let samples = samples_covered(texel.a * in.alpha, grain(in.uv, in.cells, in.seed), in.seed);
     if samples == 0u {
         discard;
     }
-    var ratio = texel.rgb * texel.rgb / in.texels;
-    if TINTED {
-        // The baked colours are of other places: what is brighter there is brighter here
-        ratio = vec3<f32>(canopy_luminance(texel.rgb * texel.rgb) / canopy_luminance(in.texels));
+    return ClusterPixel(cluster_radiance(in, texel.rgb), samples);
+}
+
+// Where a pixel has one sample.
+@fragment
+fn fs_cluster_single(in: ClusterVertex) -> @location(0) vec4<f32> {
+    let texel = cluster_texel(in);
+    if texel.a * in.alpha + grain(in.uv, in.cells, in.seed) < 1.0 {
+        discard;
     }
-    let own = in.look.rgb * ratio;
-    let color = as_shown(own, in.look);
-    return ClusterPixel(vec4<f32>(mix(color, frame.haze.rgb, in.haze), 1.0), samples);
+    return cluster_radiance(in, texel.rgb);
 }

@@ -147,6 +147,9 @@ pub(super) fn bucket_pipeline(
 ) -> Option<wgpu::RenderPipeline> {
     let (shader, vertex, fragment, masked) = match bucket {
         0..BLADE_BUCKETS => blade_program(variant, bucket),
+        CLUSTER_BUCKET if targets.samples == 1 => {
+            (Shader::DrawCluster, "vs_cluster", "fs_cluster_single", false)
+        }
         CLUSTER_BUCKET => (Shader::DrawCluster, "vs_cluster", "fs_cluster", false),
         // Cut by alpha, with several samples a pixel by how many of them it covers
         _ if BILLBOARD_BUCKETS.contains(&bucket) => {
