@@ -125,9 +125,9 @@ impl Cards<'_> {
         (below as usize, high / ((1.0 - part) * tall(below) + high))
     }
 
-    /// Clusters that a ray meets on its way to the ground, each as wide as it is; as if they stood at random
-    /// places.
-    fn alone(&self, angle: f32) -> f32 {
+    /// Clusters that a ray meets on its way to the ground, each as wide as it is, where such a share of them
+    /// has grown, counted as if all had; as if they stood at random places.
+    fn alone(&self, angle: f32, grown: f32) -> f32 {
         let step = angle * (STEPS - 1) as f32 / FRAC_PI_2;
         let low = step.floor().min((STEPS - 2) as f32);
         let tall = |at: f32| self.size.tall(at * FRAC_PI_2 / (STEPS - 1) as f32);
@@ -135,20 +135,20 @@ impl Cards<'_> {
         let area = 2.0 * self.size.radius * (a + (b - a) * (step - low));
         let sine = angle.sin().max(1e-3);
         let share = area / (2.0 * self.size.radius * self.size.tall(angle));
-        let alpha = (share / (1.0 - TOGETHER * sine)).clamp(1e-3, 0.95);
+        let alpha = (share / (1.0 - TOGETHER * sine)).clamp(1e-3, 0.95) * grown.clamp(0.01, 1.0);
         (self.dense * area / sine * -(1.0 - alpha).ln() / alpha).max(1e-6)
     }
 
-    /// How many times as wide they are drawn where a ray meets so many blades: the twin of `wider`, without
-    /// wind.
-    pub(crate) fn wider(&self, angle: f32, blades: f32) -> f32 {
-        (blades.min(HIDING) / self.alone(angle)).clamp(1.0, MOST_WIDER)
+    /// How many times as wide they are drawn where a ray meets so many blades, and such a share of them has
+    /// grown: the twin of `wider`, without wind.
+    pub(crate) fn wider(&self, angle: f32, blades: f32, grown: f32) -> f32 {
+        (blades.min(HIDING) / self.alone(angle, grown)).clamp(1.0, MOST_WIDER)
     }
 
     /// Clusters that a ray meets as they are drawn.
     fn met(&self, angle: f32) -> f32 {
         let blades = self::met(self.canopy, angle.sin());
-        self.alone(angle) * self.wider(angle, blades)
+        self.alone(angle, 1.0) * self.wider(angle, blades, 1.0)
     }
 }
 

@@ -28,7 +28,7 @@ fn tell_wider(@builtin(global_invocation_id) thread: vec3<u32>) {
         let at = asked[thread.x][0];
         let facing = facing_of(vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(cos(at.x), sin(at.x), 0.0));
         let elevation = at.x * (3.0 / 1.5707963);
-        let wide = wider(elevation, facing, vec3<f32>(0.0), at.y);
+        let wide = wider(elevation, facing, vec3<f32>(0.0), at.y, at.z);
         told[thread.x] = vec4<f32>(wide, picture_of(thread.x, elevation).alpha, 0.0, 0.0);
     }
 }
@@ -142,14 +142,14 @@ fn cards_equal_their_reference() {
 fn widths_equal_their_reference() {
     let (page, canopy) = uniforms();
     let given = [(1, 0, bytes_of(&page)), (2, 4, bytes_of(&canopy))];
-    let at = |i: u32| (0.02 + 1.54 * draw(i, 1), 12.0 * draw(i, 2).powi(3));
-    let ask = |i: u32| [[at(i).0, at(i).1, 0.0, 0.0], [0.0; 4], [0.0; 4], [0.0; 4], [0.0; 4]];
+    let at = |i: u32| (0.02 + 1.54 * draw(i, 1), 12.0 * draw(i, 2).powi(3), draw(i, 3));
+    let ask = |i: u32| [[at(i).0, at(i).1, at(i).2, 0.0], [0.0; 4], [0.0; 4], [0.0; 4], [0.0; 4]];
     let asked: Vec<Asked> = (0..2000).map(ask).collect();
     let told = on_gpu((Shader::DrawCluster, ENTRIES, "tell_wider"), &asked, &given);
     let mut between = 0;
     for (i, told) in (0..).zip(told) {
-        let (angle, blades) = at(i);
-        let expected = cards(&canopy).wider(angle, blades);
+        let (angle, blades, grown) = at(i);
+        let expected = cards(&canopy).wider(angle, blades, grown);
         assert!((told[0] - expected).abs() < 1e-3, "{angle}, {blades}: {told:?}, {expected}");
         between += i32::from(expected > 1.0 && expected < 1.5);
         assert!((told[1] - 1.0).abs() < 0.25, "{angle}: {told:?}");

@@ -73,13 +73,15 @@ const HIDING: f32 = 5.0;
 // From above, the cluster's blades are spread over so much less of a card than from the side.
 const TOGETHER: f32 = 0.85;
 
-// How many times as wide as they are clusters are drawn, where a ray meets so many blades. The blades
-// of one stand together and hide each other, so that clusters leave more of the ground open.
-fn wider(elevation: f32, facing: Facing, sway: vec3<f32>, blades: f32) -> f32 {
+// How many times as wide as they are clusters are drawn, where a ray meets so many blades and such a
+// share of the clusters has grown. The blades of one stand together and hide each other, so that clusters
+// leave more of the ground open.
+fn wider(elevation: f32, facing: Facing, sway: vec3<f32>, blades: f32, grown: f32) -> f32 {
     let s = max(facing.sine, 1e-3);
     let share = card_cover(elevation) / card_height(elevation);
-    // Clusters are spread evenly: they hide each other less than they would at random places
-    let alpha = clamp(share / (1.0 - TOGETHER * s), 1e-3, 0.95);
+    // Clusters are spread evenly: they hide each other less than they would at random places. The first
+    // of them stand at random
+    let alpha = clamp(share / (1.0 - TOGETHER * s), 1e-3, 0.95) * clamp(grown, 0.01, 1.0);
     let moved = dot(sway, facing.toward) * s;
     let height = card_height(elevation) - page.field.cluster.z * moved;
     let cards = canopy.cards[7].x * 2.0 * page.field.cluster.y * max(height, 1e-3) / s;

@@ -47,7 +47,7 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
     // Narrow cards of blades are narrow blades; of flowers they would be streaks, which come texel by texel
     let dissolves = form_of(blade.species) == FORM_BILLBOARD;
     let wide = select(listed.fade, 1.0, dissolves) * cluster_widening(cluster, scale, count)
-        * wider(elevation, facing, sway, met);
+        * wider(elevation, facing, sway, met, clusters_grown(cluster_progress(cluster.x * scale)));
     let corner = vertex % VERTICES;
     let position = blade.root
         + card_corner(corner, facing, blade.up, cluster.y, cluster.z, wide, sway);
@@ -57,7 +57,8 @@ fn cluster_vertex(vertex: u32, instance: u32) -> ClusterVertex {
     out.layer = picture.layer;
     out.alpha = picture.alpha * select(1.0, listed.fade, dissolves);
     out.seed = hash_u32(blade.id);
-    let size_px = max(vec2<f32>(2.0 * cluster.y * wide, card_height(elevation)) * scale, vec2<f32>(1e-3));
+    let size_m = vec2<f32>(2.0 * cluster.y * wide, card_height(elevation));
+    let size_px = max(size_m * scale, vec2<f32>(1e-3));
     out.mip = mip_of(size_px, out.seed);
     out.cells = grain_cells(size_px);
     let haze = select(1.0 - exp(-frame.haze.w * distance), 0.0, frame.haze.w == 0.0);
