@@ -19,21 +19,24 @@ const LEAF_FACING: f32 = 0.04;
 const LEAF_DRY: vec2<f32> = vec2<f32>(0.45, 0.28);
 const LEAF_WET: vec2<f32> = vec2<f32>(0.2, 0.12);
 // How much more of what passes goes straight on than to the sides
-const LEAF_STRAIGHT: f32 = 1.5;
+const LEAF_STRAIGHT: f32 = 1.8;
 // Mean of `leaf_straight_mean` over all directions, 17/72
 const LEAF_STRAIGHT_MEAN: f32 = 0.23611111;
-// Share that a leaf without colour scatters back, and how much farther light goes that passes
-const LEAF_BACK: f32 = 0.4;
-const LEAF_WAY: f32 = 1.3;
+// Share that a leaf without colour scatters back, and how much farther light goes that passes. What is left of
+// a wide band of colours falls less the farther it went: the more so in red, of which leaves let some pass
+const LEAF_BACK: f32 = 0.55;
+const LEAF_THIN: f32 = 0.8;
+const LEAF_WAY: vec3<f32> = vec3<f32>(1.15, 1.25, 1.4);
 
 // What passes a leaf of that reflectance: Beer and Lambert's law. Its colour says what is absorbed on
-// light's way in and out again; light that passes goes farther. Thickness 1 is a blade of grass.
+// light's way in and out again; light that passes goes farther. Thickness 1 is a
+// blade of grass; a thin petal's colour is that of its own thickness, and holds through it too.
 fn leaf_passes(reflects: vec3<f32>, thickness: f32) -> vec3<f32> {
     let a = clamp(reflects, vec3<f32>(1e-4), vec3<f32>(1.0));
     // What it would scatter back if it absorbed nothing: more where it scatters more
     let rest = LEAF_BACK * (1.0 - a);
     let back = sqrt(a * a + rest * rest);
-    return (1.0 - back) * pow(a / back, vec3<f32>(LEAF_WAY * thickness));
+    return (1.0 - back) * pow(a / back, LEAF_WAY * max(thickness, LEAF_THIN));
 }
 
 // Squares of the roughness; 0 dry, 1 wet.
