@@ -45,7 +45,7 @@ impl Case {
 fn cases(count: u32) -> Vec<Case> {
     let direction = |i: u32, salt: u32| {
         let part = |k: u32| 2.0 * f64::from(hash01(i, 3 * salt + k)) - 1.0;
-        let flat = if i % 8 == 0 { 1e-4 } else { 1.0 };
+        let flat = if i.is_multiple_of(8) { 1e-4 } else { 1.0 };
         DVec3::new(part(0), part(1), part(2) * flat).normalize_or(DVec3::Z)
     };
     let mut list = Vec::new();
