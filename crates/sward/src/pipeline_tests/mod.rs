@@ -14,6 +14,7 @@ mod decoded;
 mod depth;
 mod drawing;
 mod handmade;
+mod leaf;
 mod lobes;
 mod packing;
 mod pages;
