@@ -6,6 +6,7 @@ use super::reference::Crop;
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec4};
 use sward::{Light, Shade};
+use sward_scene::atmosphere::Dome;
 use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, SkySettings};
 use wgpu::util::DeviceExt;
 
@@ -137,6 +138,17 @@ impl FrameUniform {
             values.fog = fog.color.unwrap_or(sky.horizon).extend(fog.density_per_m);
             let thins = fog.falloff_m.recip();
             values.fog_shape = Vec4::new(fog.start_m, fog.base_m, thins, 0.0);
+        }
+    }
+
+    /// What the sky and the picture need beside the light, after [`FrameUniform::set_light`]: the sky's
+    /// table, where there is one, and the exposure in stops.
+    pub fn set_picture(&mut self, dome: Option<&Dome>, exposure_ev: f32) {
+        let values = &mut self.values;
+        values.exposure = exposure_ev.exp2();
+        if let Some(dome) = dome {
+            values.to_sun.w = dome.disc;
+            (values.zenith.w, values.horizon.w) = dome.toward_sun.into();
         }
     }
 

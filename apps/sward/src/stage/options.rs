@@ -3,10 +3,11 @@
 use super::frame::CameraMatrices;
 use super::reference::Crop;
 use anyhow::Result;
+use glam::Vec3Swizzles;
 use sward::{
     Bands, ColorRange, Culling, DebugView, Light, Observer, PhysicsModel, Technique, View,
 };
-use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, Scene, SkySettings, SunSettings};
+use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, Scene, SceneLight, Tone};
 
 /// How a scene is drawn.
 #[derive(Debug, Clone)]
@@ -37,6 +38,10 @@ pub struct StageOptions {
     pub fog: Option<FogSettings>,
     /// Depth of field; the scene's.
     pub depth_of_field: Option<DepthOfFieldSettings>,
+    /// How light becomes colours; the scene's.
+    pub tone: Tone,
+    /// Stops that the picture is exposed by; none: as many as suit the light.
+    pub exposure_ev: Option<f32>,
     /// Whether spheres push the blades.
     pub collisions: bool,
     /// What to show in place of the blades' own look.
@@ -67,6 +72,8 @@ impl StageOptions {
             haze: true,
             fog: scene.fog,
             depth_of_field: scene.depth_of_field,
+            tone: scene.tone(),
+            exposure_ev: scene.exposure_ev,
             collisions: true,
             debug: None,
             culling_camera: None,
@@ -82,6 +89,19 @@ impl StageOptions {
         self.reference || stood_in && endless
     }
 
+    /// A scene's light as the picture has it: haze and fog take the colour of the sky behind them, that
+    /// of the horizon where the camera looks, and the exposure is the options'.
+    pub(super) fn seen(&self, mut light: SceneLight) -> SceneLight {
+        if let Some(dome) = &light.dome {
+            let Camera { eye, target, vertical_fov_deg, .. } = self.camera;
+            let aspect = self.size[0] as f32 / self.size[1] as f32;
+            let half = ((0.5 * vertical_fov_deg).to_radians().tan() * aspect).atan();
+            light.sky.horizon = dome.horizon((target - eye).xz(), half);
+        }
+        light.exposure_ev = self.exposure_ev.unwrap_or(light.exposure_ev);
+        light
+    }
+
     /// The camera of the picture.
     pub(super) fn drawn_from(&self, crop: Crop) -> CameraMatrices {
         CameraMatrices::new(&self.camera, self.size, crop)
@@ -95,8 +115,8 @@ impl StageOptions {
 }
 
 /// The light of sun and sky, without the haze where the options leave it out.
-pub(super) fn light(options: &StageOptions, sun: &SunSettings, sky: &SkySettings) -> Light {
-    let light = sward_scene::light(sun, sky);
+pub(super) fn light(options: &StageOptions, now: &SceneLight) -> Light {
+    let light = sward_scene::light(&now.sun, &now.sky);
     Light { haze_per_m: if options.haze { light.haze_per_m } else { 0.0 }, ..light }
 }
 
