@@ -81,15 +81,17 @@ pub struct Heavens {
 }
 
 /// Colour and strength of the moon's light against the sun's: bluish, as eyes in the dark have it.
-const MOON: Vec3 = Vec3::new(0.0066, 0.0078, 0.0098);
+const MOON: Vec3 = Vec3::new(0.0070, 0.0079, 0.0090);
 /// Radiance of the sky without sun and moon: what the air itself and the stars shed.
-const NIGHT: Vec3 = Vec3::new(0.000_3, 0.000_45, 0.000_8);
+const NIGHT: Vec3 = Vec3::new(0.000_4, 0.000_5, 0.000_7);
 /// Share of sun and sky that comes through a cover of clouds (Kasten and Czeplak 1980: a quarter).
 const THROUGH_CLOUDS: f32 = 0.25;
+/// Colour of clouds: grey, a little cold.
+const GREY: Vec3 = Vec3::new(0.96, 1.0, 1.06);
 /// Share of the sun's direct light that an even cover of clouds takes.
 const CLOUDS_TAKE: f32 = 0.99;
 /// Stops that lift grass in a full sun to a picture's middle.
-const GRASS_EV: f32 = 1.2;
+const GRASS_EV: f32 = 1.3;
 /// How far exposure follows the light: the dark should stay darker than the day.
 const ADAPTS: f32 = 0.9;
 
@@ -123,7 +125,8 @@ impl Heavens {
         let up = sun.to_sun().y.max(0.0);
         let mut dome = Dome::new(&self.air, sun.to_sun(), above_air, NIGHT * strength);
         if clouds > 0.0 {
-            dome.cover(clouds, (dome.irradiance(Vec3::Y) + direct * up) * THROUGH_CLOUDS);
+            let fallen = luminance(dome.irradiance(Vec3::Y) + direct * up);
+            dome.cover(clouds, GREY * (fallen * THROUGH_CLOUDS));
             sun.irradiance *= 1.0 - CLOUDS_TAKE * clouds;
         }
         let fallen = dome.irradiance(Vec3::Y);
@@ -144,8 +147,11 @@ impl Heavens {
 /// Stops that suit an irradiance. A white ground under a high sun has a radiance near 1; grass sends back
 /// a tenth, and should lie at middle grey.
 fn exposure(irradiance: Vec3) -> f32 {
-    let luminance = irradiance.dot(Vec3::new(0.2126, 0.7152, 0.0722)) / PI;
-    (GRASS_EV - ADAPTS * luminance.max(1e-9).log2()).clamp(-8.0, 8.0)
+    (GRASS_EV - ADAPTS * (luminance(irradiance) / PI).max(1e-9).log2()).clamp(-9.0, 9.0)
+}
+
+fn luminance(color: Vec3) -> f32 {
+    color.dot(Vec3::new(0.2126, 0.7152, 0.0722))
 }
 
 impl Course {

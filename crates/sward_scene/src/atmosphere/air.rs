@@ -10,8 +10,10 @@ pub(super) const TOP_KM: f64 = 6460.0;
 /// Half the angle that the sun, or the moon, is wide, radians.
 pub(super) const DISC_RAD: f64 = 0.004_65;
 
-/// Scattering by molecules at the ground for 680, 550 and 440 nm, a kilometre (Hillaire, table 1).
-const RAYLEIGH: DVec3 = DVec3::new(5.802e-3, 13.558e-3, 33.1e-3);
+/// Scattering by molecules at the ground for 610, 545 and 460 nm, a kilometre: Hillaire's (table 1) by the
+/// fourth power of the wavelength. His 680 and 440 nm are far out in what sRGB's red and blue cover; with
+/// them the low sun is redder than pictures show it, and the sky a deeper blue.
+const RAYLEIGH: DVec3 = DVec3::new(8.96e-3, 14.06e-3, 27.7e-3);
 /// Height over which molecules thin to 1/e.
 const RAYLEIGH_KM: f64 = 8.0;
 /// Height over which aerosols thin to 1/e.
@@ -19,11 +21,11 @@ const MIE_KM: f64 = 1.2;
 /// Share of the light that aerosols scatter of what they take (Hillaire: 3.996 of 4.44).
 const MIE_ALBEDO: f64 = 0.9;
 /// Aerosols' extinction by colour against green: the inverse of the wavelength (Angstrom exponent 1).
-const MIE_COLOR: DVec3 = DVec3::new(0.81, 1.0, 1.25);
-/// Asymmetry of the light that aerosols scatter: mostly ahead.
-const MIE_AHEAD: f64 = 0.8;
+const MIE_COLOR: DVec3 = DVec3::new(0.90, 1.01, 1.20);
+/// Asymmetry of the light that aerosols scatter: mostly ahead; that of dust over land.
+const MIE_AHEAD: f64 = 0.7;
 /// Absorption by ozone where it is densest, a kilometre.
-const OZONE: DVec3 = DVec3::new(0.650e-3, 1.881e-3, 0.085e-3);
+const OZONE: DVec3 = DVec3::new(2.5e-3, 1.85e-3, 0.2e-3);
 
 /// Air of one turbidity.
 #[derive(Debug, Clone, Copy)]

@@ -61,9 +61,9 @@ pub fn agx(light: DVec3) -> DVec3 {
     let inset = [[0.8424, 0.0784, 0.0792], [0.0423, 0.8785, 0.0792], [0.0424, 0.0784, 0.8792]];
     let inset = DMat3::from_cols_array_2d(&inset).transpose();
     let stops = |x: f64| ((x.max(1e-10) / 0.18).log2() + 10.0) / 16.5;
-    let look = (inset * light).map(|x| sigmoid(stops(x).clamp(0.0, 1.0)).powf(1.25));
+    let look = (inset * light).map(|x| sigmoid(stops(x).clamp(0.0, 1.0)).powf(1.3));
     let grey = look.dot(DVec3::new(0.2126, 0.7152, 0.0722));
-    let shown = inset.inverse() * (grey + (look - grey) * 1.3);
+    let shown = inset.inverse() * (grey + (look - grey) * 1.4);
     shown.map(|x| x.max(0.0).powf(2.2))
 }
 
