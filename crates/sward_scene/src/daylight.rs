@@ -71,6 +71,9 @@ pub struct SceneLight {
     pub dome: Option<Dome>,
     /// Exposure that suits this light, stops: a sunlit day has about 1.
     pub exposure_ev: f32,
+    /// Share of what is seen that is seen without colour, as eyes see by the moon; 0 by day. Only AgX
+    /// shows it.
+    pub rods: f32,
 }
 
 /// Daylight with its air worked out, ready to be asked at any time.
@@ -84,6 +87,8 @@ pub struct Heavens {
 const MOON: Vec3 = Vec3::new(0.0070, 0.0079, 0.0090);
 /// Radiance of the sky without sun and moon: what the air itself and the stars shed.
 const NIGHT: Vec3 = Vec3::new(0.000_4, 0.000_5, 0.000_7);
+/// Share of what is seen by the moon that is seen without colour.
+const RODS: f32 = 0.6;
 /// Share of sun and sky that comes through a cover of clouds (Kasten and Czeplak 1980: a quarter).
 const THROUGH_CLOUDS: f32 = 0.25;
 /// Colour of clouds: grey, a little cold.
@@ -134,13 +139,14 @@ impl Heavens {
         let harmonics = dome.harmonics(bounce);
         let sky = SkySettings {
             zenith: dome.radiance(Vec3::Y),
-            horizon: dome.horizon(dome.toward_sun, PI),
+            horizon: dome.horizon(dome.toward_sun, PI, 0.5),
             ambient: harmonics.irradiance(Vec3::Y) / PI,
             bounce: harmonics.irradiance(Vec3::NEG_Y) / PI,
             haze_m,
         };
         let exposure_ev = exposure(sun.irradiance * up.max(0.25) + fallen) + brighter_ev;
-        SceneLight { sun, sky, dome: Some(dome), exposure_ev }
+        let rods = if luminary == Luminary::Moon { RODS } else { 0.0 };
+        SceneLight { sun, sky, dome: Some(dome), exposure_ev, rods }
     }
 }
 

@@ -241,7 +241,10 @@ impl Scene {
     pub fn light_at(&self, time_s: f64) -> SceneLight {
         let mut light = match &self.heavens {
             Some(heavens) => heavens.at(time_s),
-            None => SceneLight { sun: self.light, sky: self.sky, dome: None, exposure_ev: 0.0 },
+            None => {
+                let (sun, sky) = (self.light, self.sky);
+                SceneLight { sun, sky, dome: None, exposure_ev: 0.0, rods: 0.0 }
+            }
         };
         light.exposure_ev = self.exposure_ev.unwrap_or(light.exposure_ev);
         light

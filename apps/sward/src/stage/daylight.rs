@@ -39,7 +39,7 @@ impl Stage {
         let shade = self.light.shade;
         self.light = Light { shade, ..options::light(&self.options, &now) };
         self.uniform.set_light(&self.light, &now.sky);
-        self.uniform.set_picture(now.dome.as_ref(), now.exposure_ev);
+        self.uniform.set_picture(&now);
         if let Some(dome) = &now.dome {
             self.sky.set_dome(&self.gpu.queue, dome);
         }

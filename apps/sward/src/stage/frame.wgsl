@@ -31,7 +31,8 @@ struct GpuStageFrame {
     samples_a_side: f32,
     // 1 where ground stands for the grass that is too far to be drawn, 0 where all is drawn
     stands_in: f32,
-    reserved: f32,
+    // Share of the picture that is seen without colour, as by the moon
+    rods: f32,
     // Moving shade, as the library's
     shade: vec4<f32>,
     shade_offset: vec2<f32>,

@@ -105,7 +105,7 @@ impl Stage {
         let now = options.seen(scene.light_at(-warm_up_s));
         let light = Light { shade: scene.shade_at(0.0), ..options::light(&options, &now) };
         uniform.set_light(&light, &now.sky);
-        uniform.set_picture(now.dome.as_ref(), now.exposure_ev);
+        uniform.set_picture(&now);
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);

@@ -3,7 +3,7 @@
 use super::frame::CameraMatrices;
 use super::reference::Crop;
 use anyhow::Result;
-use glam::Vec3Swizzles;
+use glam::{Vec3, Vec3Swizzles};
 use sward::{
     Bands, ColorRange, Culling, DebugView, Light, Observer, PhysicsModel, Technique, View,
 };
@@ -52,6 +52,14 @@ pub struct StageOptions {
     pub level: Option<u8>,
 }
 
+/// Luminance of linear RGB.
+const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);
+/// Exposed luminance of the sky in view from which on the exposure gives way: who looks at a low sun
+/// closes the aperture.
+const DAZZLES: f32 = 0.9;
+/// Stops that it gives way a stop.
+const DAZZLED: f32 = 0.7;
+
 impl StageOptions {
     /// The scene's own way, seen by its first camera or the one of that name.
     ///
@@ -96,7 +104,11 @@ impl StageOptions {
             let Camera { eye, target, vertical_fov_deg, .. } = self.camera;
             let aspect = self.size[0] as f32 / self.size[1] as f32;
             let half = ((0.5 * vertical_fov_deg).to_radians().tan() * aspect).atan();
-            light.sky.horizon = dome.horizon((target - eye).xz(), half);
+            let heading = (target - eye).xz();
+            light.sky.horizon = dome.horizon(heading, half, 0.5);
+            let seen = dome.horizon(heading, half, 10.0) * light.exposure_ev.exp2();
+            let dazzles = (seen.dot(LUMINANCE) / DAZZLES).max(1.0).log2();
+            light.exposure_ev -= DAZZLED * dazzles;
         }
         light.exposure_ev = self.exposure_ev.unwrap_or(light.exposure_ev);
         light

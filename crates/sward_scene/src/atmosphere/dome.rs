@@ -72,15 +72,15 @@ impl Dome {
         in_row(r).lerp(in_row(r + 1), row - r as f32)
     }
 
-    /// Mean radiance of the lowest degree of the sky over the azimuths within `half_rad` of a horizontal
-    /// direction: what haze in a view that way is lit by.
-    pub fn horizon(&self, heading: Vec2, half_rad: f32) -> Vec3 {
+    /// Mean radiance of the sky at an elevation over the azimuths within `half_rad` of a horizontal
+    /// direction: near the horizon, what haze in a view that way is lit by.
+    pub fn horizon(&self, heading: Vec2, half_rad: f32, up_deg: f32) -> Vec3 {
         const ACROSS: usize = 33;
         let heading = heading.normalize_or(self.toward_sun);
         let at = |i: usize| {
             let turn = half_rad * (2.0 * i as f32 / (ACROSS - 1) as f32 - 1.0);
             let level = Vec2::from_angle(turn).rotate(heading);
-            self.radiance(Vec3::new(level.x, 0.009, level.y).normalize())
+            self.radiance(Vec3::new(level.x, up_deg.to_radians().tan(), level.y).normalize())
         };
         (0..ACROSS).map(at).sum::<Vec3>() / ACROSS as f32
     }

@@ -41,8 +41,9 @@ impl Atmosphere {
     /// `turbidity` from 1, pure air, over 2 to 3, a clear day, to 10, thick haze; outside it is
     /// clamped. `ground_albedo` is the reflectance of the land around, 0 to 1.
     pub fn new(turbidity: f32, ground_albedo: Vec3) -> Self {
-        // min and max, not clamp: what is no number becomes pure air
-        let air = Air::new(f64::from(turbidity.max(1.0).min(10.0)));
+        // What is no number becomes pure air
+        let turbidity = if turbidity.is_nan() { 1.0 } else { turbidity.clamp(1.0, 10.0) };
+        let air = Air::new(f64::from(turbidity));
         let ground_albedo = ground_albedo.max(Vec3::ZERO).min(Vec3::ONE);
         let sunlight = Transmittance::new(&air);
         let multiple = Multiple::new(&air, &sunlight, ground_albedo.as_dvec3());
