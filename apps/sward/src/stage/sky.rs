@@ -84,6 +84,46 @@ fn half(value: f32) -> u16 {
 #[cfg(test)]
 mod tests {
     use super::half;
+    use crate::gpu::Gpu;
+    use crate::stage::frame::CameraMatrices;
+    use crate::stage::reference::Crop;
+    use crate::stage::{Stage, StageOptions};
+    use glam::{Vec3, Vec4Swizzles, vec4};
+    use std::path::Path;
+
+    /// The sky as drawn is the table as it is read on the CPU, and the sun's disc is where the sun is.
+    #[test]
+    fn the_drawn_sky_is_the_table() {
+        let gpu = Gpu::headless().expect("a graphics adapter");
+        let text = "(fields: [(on: Plane(), density: 1)], light: (time_h: 16.5), warm_up_s: 0,
+                     cameras: [(eye: (0, 2, 0), target: (-3, 3.6, 0.8), vertical_fov_deg: 95)])";
+        let scene = sward_scene::parse(text, Path::new("s.ron")).unwrap();
+        let fields = crate::grow::grow(&scene, &gpu.device.limits(), Default::default()).unwrap();
+        let size = [64, 48];
+        let options = StageOptions::new(&scene, None, size, 1).unwrap();
+        let camera = CameraMatrices::new(&options.camera, size, Crop::whole(size));
+        let (world, view) = (camera.view_from_world.inverse(), camera.clip_from_view.inverse());
+        let mut stage = Stage::new(&gpu, &scene, &fields, options).unwrap();
+        stage.warm_up().unwrap();
+        let picture = stage.linear_picture().unwrap();
+        let light = scene.light_at(0.0);
+        let (dome, to_sun) = (light.dome.unwrap(), light.sun.to_sun());
+        let (mut compared, mut suns) = (0, 0);
+        for (x, y, pixel) in picture.enumerate_pixels() {
+            let ndc = [(x as f32 + 0.5) / 32.0 - 1.0, 1.0 - (y as f32 + 0.5) / 24.0];
+            let far = view * vec4(ndc[0], ndc[1], 1.0, 1.0);
+            let way = (world * (far.xyz() / far.w).extend(0.0)).xyz().normalize();
+            let (drawn, off) = (Vec3::from(pixel.0), way.distance(to_sun));
+            if off < 0.04 {
+                suns += u32::from(drawn.max_element() > 2.0 * dome.radiance(way).max_element());
+            } else if way.y > 0.02 {
+                let wrong = ((drawn - dome.radiance(way)) / dome.radiance(way)).abs();
+                assert!(wrong.max_element() < 0.01, "{way}: {drawn}, not {}", dome.radiance(way));
+                compared += 1;
+            }
+        }
+        assert!(compared > 1000 && (1..=6).contains(&suns), "{compared} {suns}");
+    }
 
     #[test]
     fn halves_are_the_nearest() {
