@@ -3,6 +3,7 @@
 mod args;
 mod commands;
 mod input;
+mod light;
 mod measure;
 mod output;
 mod progress;
@@ -33,6 +34,7 @@ const EXAMPLES: &str = "\
 Examples:
   sward render scenes/meadow.ron -o meadow.png
   sward render scenes/meadow.ron --frames 0..120 -o f/%04d.png
+  sward sheet -o lights.png
   sward wind scenes/helicopter.ron -o wind.png
   sward texture poppy -o poppy.png
   sward bench scenes/reference.ron --json bench.json

@@ -3,7 +3,7 @@
 
 use crate::video::Format;
 use anyhow::{Context, Result, bail};
-use image::{RgbImage, RgbaImage};
+use image::{Rgb32FImage, RgbImage, RgbaImage};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -31,15 +31,30 @@ impl Output {
     /// # Errors
     /// Where the format is unknown or the pattern is broken.
     pub fn parse(path: &Path) -> Result<Self> {
+        Self::parse_as(path, &["png"])
+    }
+
+    /// The same, and `.exr` for linear light.
+    ///
+    /// # Errors
+    /// Where the format is unknown or the pattern is broken.
+    pub fn parse_or_light(path: &Path) -> Result<Self> {
+        Self::parse_as(path, &["png", "exr"])
+    }
+
+    fn parse_as(path: &Path, formats: &[&str]) -> Result<Self> {
+        let known = formats.join(" or .");
         let shown = path.display();
         match path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).as_deref() {
-            Some("png") => {}
+            Some(format) if formats.contains(&format) => {}
             Some("mp4") => return Ok(Self::Video(path.into(), Format::Mp4)),
             Some("gif") => return Ok(Self::Video(path.into(), Format::Gif)),
             Some(_) => bail!(
-                "-o {shown}: unknown format; pictures are written as .png, films as .mp4 or .gif"
+                "-o {shown}: unknown format; pictures are written as .{known}, films as .mp4 or .gif"
             ),
-            None => bail!("-o {shown}: the name has no extension; pictures are written as .png"),
+            None => {
+                bail!("-o {shown}: the name has no extension; pictures are written as .{known}")
+            }
         }
         let Some(text) = path.to_str().filter(|text| text.contains('%')) else {
             return Ok(Self::Single(path.into()));
@@ -80,6 +95,12 @@ impl Output {
                 format!("{before}{frame:0width$}{after}", width = *width).into()
             }
         }
+    }
+
+    /// Whether it takes linear light, which no screen has to show.
+    pub fn is_light(&self) -> bool {
+        let file = self.file(0);
+        file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("exr"))
     }
 
     /// Makes the folder and tries it, so that a mistake shows before the work.
@@ -165,6 +186,16 @@ pub fn write_picture(path: &Path, picture: &RgbImage) -> Result<()> {
     write_file(path, &bytes)
 }
 
+/// Writes linear light as OpenEXR, 32 bits a channel.
+///
+/// # Errors
+/// Where it cannot be written; then there is no new file.
+pub fn write_light(path: &Path, light: &Rgb32FImage) -> Result<()> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    light.write_with_encoder(image::codecs::openexr::OpenExrEncoder::new(&mut bytes))?;
+    write_file(path, bytes.get_ref())
+}
+
 /// Writes a picture with alpha as PNG.
 ///
 /// # Errors
@@ -243,7 +274,9 @@ mod tests {
         assert_eq!(file("f-%d.png", 12).as_deref(), Some("f-12.png"));
         assert_eq!(file("50%%-%02d.png", 3).as_deref(), Some("50%-03.png"));
         assert_eq!(file("50%%.png", 3).as_deref(), Some("50%.png"));
-        for bad in ["%s.png", "%d%d.png", "%4d.png", "%.png", "a", "a.jpg", "%099d.png"] {
+        let light = Output::parse_or_light(Path::new("light/%d.EXR"));
+        assert!(light.is_ok_and(|output| output.is_light()));
+        for bad in ["%s.png", "%d%d.png", "%4d.png", "%.png", "a", "a.jpg", "a.exr", "%099d.png"] {
             assert_eq!(file(bad, 0), None, "{bad}");
         }
     }

@@ -98,6 +98,9 @@ fn cameras() {
 fn outputs() {
     render(&["-o", "a"], "no extension");
     render(&["-o", "a.jpg"], ".png");
+    render(&["-o", "a.png", "--light", "sunset"], "dawn, noon, golden-hour, overcast, moonlit");
+    render(&["-o", "/proc/none/a.exr"], "-o /proc/none/a.exr");
+    render(&["-o", "a.exr", "--labels"], "a.exr");
     render(&["-o", "a.mp4"], "a film needs --frames");
     render(&["-o", "a.gif"], "a film needs --frames");
     render(&["-o", "a.mp4", "--frames", "0..2", "--size", "1x9"], "at least 2 pixels");

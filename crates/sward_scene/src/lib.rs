@@ -18,6 +18,7 @@
 //! [`Scene::notes`].
 
 mod assets;
+pub mod atmosphere;
 mod bodies;
 mod build;
 pub mod camera;
@@ -27,6 +28,7 @@ mod error;
 mod locate;
 mod motion;
 mod objects;
+mod presets;
 pub mod schema;
 mod spheres;
 mod wind;
@@ -35,10 +37,11 @@ pub use assets::TextureImage;
 pub use bodies::{Bodies, Body, BodyGroup, BodyShape};
 pub use build::{load, parse};
 pub use camera::Camera;
-pub use daylight::Daylight;
+pub use daylight::{Course, Daylight, Heavens, Luminary, SceneLight};
 pub use error::SceneError;
 pub use motion::{Path, PathKey};
 pub use objects::{ColliderPiece, Object};
+pub use presets::LightPreset;
 pub use spheres::MovingSphere;
 pub use wind::SceneWind;
 
@@ -68,8 +71,12 @@ pub struct Scene {
     pub light: SunSettings,
     /// Sky and haze; at time 0 where they change.
     pub sky: SkySettings,
-    /// Sun and sky by the time of day, which is where `light` and `sky` then are from.
-    pub daylight: Option<Daylight>,
+    /// Sun and sky by physics, which is where `light` and `sky` then are from.
+    pub heavens: Option<Heavens>,
+    /// How light becomes colours; [`Scene::tone`] says what it is where this is none.
+    pub tone: Option<Tone>,
+    /// Stops that pictures are exposed by; none: [`SceneLight::exposure_ev`].
+    pub exposure_ev: Option<f32>,
     /// Fog by distance.
     pub fog: Option<FogSettings>,
     /// Depth of field.
@@ -167,6 +174,16 @@ pub struct SkySettings {
     pub haze_m: f32,
 }
 
+/// How light becomes a picture's colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Tone {
+    /// Khronos PBR Neutral: colours stay as they are up to a shoulder.
+    #[default]
+    Neutral,
+    /// AgX, after Sobotka: a film's curve, in which bright colours go to white.
+    Agx,
+}
+
 /// Fog by distance, over the finished picture; the sky stays clear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FogSettings {
@@ -220,9 +237,33 @@ impl Scene {
         sward::Light { shade: self.shade_at(0.0), ..light(&self.light, &self.sky) }
     }
 
-    /// Sun and sky at a time.
-    pub fn sun_and_sky_at(&self, time_s: f64) -> (SunSettings, SkySettings) {
-        self.daylight.map_or((self.light, self.sky), |day| day.at(time_s))
+    /// Sun and sky at a time, and the exposure.
+    pub fn light_at(&self, time_s: f64) -> SceneLight {
+        let mut light = match &self.heavens {
+            Some(heavens) => heavens.at(time_s),
+            None => {
+                let (sun, sky) = (self.light, self.sky);
+                SceneLight { sun, sky, dome: None, exposure_ev: 0.0, rods: 0.0 }
+            }
+        };
+        light.exposure_ev = self.exposure_ev.unwrap_or(light.exposure_ev);
+        light
+    }
+
+    /// How light becomes colours: what the scene says, else AgX where its light is physical.
+    pub fn tone(&self) -> Tone {
+        let usual = if self.heavens.is_some() { Tone::Agx } else { Tone::Neutral };
+        self.tone.unwrap_or(usual)
+    }
+
+    /// Puts a light in the place of the scene's own, with its exposure and [`Tone::Agx`]. The
+    /// direction of the sun and the haze stay.
+    pub fn set_light(&mut self, preset: LightPreset) {
+        let heavens = Heavens::new(preset.daylight(self.light.azimuth_deg, self.sky.haze_m));
+        let now = heavens.at(0.0);
+        (self.light, self.sky) = (now.sun, now.sky);
+        self.heavens = Some(heavens);
+        (self.tone, self.exposure_ev) = (None, None);
     }
 
     /// What moves between the field and the sun at a time, as the library takes it.

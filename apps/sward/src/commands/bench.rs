@@ -2,8 +2,9 @@
 
 mod report;
 
-use super::{grow_timed, load, tell_notes};
+use super::{grow_timed, load_lit, tell_notes};
 use crate::args::Size;
+use crate::light::LightChoice;
 use crate::measure::{self, Measured, Report};
 use crate::output;
 use crate::progress;
@@ -42,6 +43,9 @@ pub struct Args {
     /// Camera of the scene [default: its first]
     #[arg(long, value_name = "NAME")]
     camera: Option<String>,
+    /// Light it by this, in place of the scene's own light
+    #[arg(long, value_enum, value_name = "PRESET")]
+    light: Option<LightChoice>,
     /// Which forms plants are drawn in [default: the scene's]
     #[arg(long, value_enum, value_name = "NAME")]
     technique: Option<TechniqueChoice>,
@@ -84,7 +88,7 @@ pub enum Without {
 /// Measures and prints.
 pub fn run(args: Args, quiet: bool) -> Result<()> {
     let baseline = args.compare.as_deref().map(report::read).transpose()?;
-    let scene = load(&args.scene)?;
+    let scene = load_lit(&args.scene, args.light)?;
     let gpu = Gpu::headless()?;
     gpu.check_size(args.size.0)?;
     let samples = gpu.choose_samples(args.samples)?;

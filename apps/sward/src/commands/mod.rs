@@ -7,9 +7,11 @@ mod info;
 mod paper;
 mod quality;
 mod render;
+mod sheet;
 mod texture;
 mod wind;
 
+use crate::light::LightChoice;
 use crate::progress;
 use anyhow::Result;
 use std::io::Write;
@@ -32,6 +34,7 @@ pub enum Command {
     Info(info::Args),
     Paper(paper::Args),
     Quality(quality::Args),
+    Sheet(sheet::Args),
     Texture(texture::Args),
     Wind(wind::Args),
 }
@@ -46,6 +49,7 @@ pub fn run(command: Command, quiet: bool) -> Result<()> {
         Command::Info(args) => info::run(args),
         Command::Paper(args) => paper::run(args, quiet),
         Command::Quality(args) => quality::run(args, quiet),
+        Command::Sheet(args) => sheet::run(args, quiet),
         Command::Texture(args) => texture::run(args, quiet),
         Command::Wind(args) => wind::run(args, quiet),
     }
@@ -53,6 +57,15 @@ pub fn run(command: Command, quiet: bool) -> Result<()> {
 
 fn load(path: &Path) -> Result<Scene> {
     Ok(sward_scene::load(path)?)
+}
+
+/// A scene in its own light, or in another one.
+fn load_lit(path: &Path, light: Option<LightChoice>) -> Result<Scene> {
+    let mut scene = load(path)?;
+    if let Some(light) = light {
+        scene.set_light(light.into());
+    }
+    Ok(scene)
 }
 
 /// Grows with a spinner; says how many seconds it took.

@@ -1,7 +1,8 @@
 //! `sward quality`: how near a scene's pictures come to its reference.
 
-use super::{grow_timed, load, tell_notes};
+use super::{grow_timed, load_lit, tell_notes};
 use crate::args::Size;
+use crate::light::LightChoice;
 use crate::technique::TechniqueChoice;
 use crate::{output, progress};
 use anyhow::{Result, bail};
@@ -37,6 +38,9 @@ pub struct Args {
     /// Camera of the scene [default: its first]
     #[arg(long, value_name = "NAME")]
     camera: Option<String>,
+    /// Light it by this, in place of the scene's own light
+    #[arg(long, value_enum, value_name = "PRESET")]
+    light: Option<LightChoice>,
     /// Which forms plants are drawn in [default: the scene's]
     #[arg(long, value_enum, value_name = "NAME")]
     technique: Option<TechniqueChoice>,
@@ -105,7 +109,7 @@ impl std::error::Error for Exceeded {}
 
 /// Measures, prints and writes.
 pub fn run(args: Args, quiet: bool) -> Result<()> {
-    let scene = load(&args.scene)?;
+    let scene = load_lit(&args.scene, args.light)?;
     let gpu = Gpu::headless()?;
     gpu.check_size(args.size.0)?;
     let samples = gpu.choose_samples(args.samples)?;

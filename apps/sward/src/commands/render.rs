@@ -5,9 +5,10 @@ mod garden;
 mod look;
 mod places;
 
-use super::{grow_timed, load, tell, tell_notes};
+use super::{grow_timed, load_lit, tell, tell_notes};
 use crate::args::{self, Frames, Gardens, Size};
-use crate::output::{Output, write_picture};
+use crate::light::LightChoice;
+use crate::output::{Output, write_light, write_picture};
 use crate::progress;
 use crate::states::States;
 use crate::table::thousands;
@@ -34,6 +35,7 @@ Examples:
   sward render scenes/balls.ron -o f/%04d.png --frames 0..240 --state-every 60
   sward render scenes/nature.ron -o levels.png --debug level
   sward render scenes/garden.ron -o garden.png --garden 0,0.25,0.5,0.75,1
+  sward render scenes/meadow.ron -o evening.png --light golden-hour
   sward render scenes/meadow.ron -o truth.png --reference";
 
 /// Render a scene to a picture, or to a sequence of them
@@ -42,8 +44,8 @@ Examples:
 pub struct Args {
     /// Scene file (RON)
     scene: PathBuf,
-    /// Picture to write: FILE.png, or f/%04d.png, where %04d is the frame's own number; or a film,
-    /// FILE.mp4 or FILE.gif, by the ffmpeg on the PATH
+    /// Picture to write: FILE.png, FILE.exr for linear light, or f/%04d.png, where %04d is the frame's own
+    /// number; or a film, FILE.mp4 or FILE.gif, by the ffmpeg on the PATH
     #[arg(long, short)]
     output: PathBuf,
     /// Size in pixels
@@ -74,6 +76,9 @@ pub struct Args {
     /// How blades move [default: the scene's]
     #[arg(long, value_enum)]
     physics: Option<Physics>,
+    /// Light it by this, in place of the scene's own light
+    #[arg(long, value_enum, value_name = "PRESET")]
+    light: Option<LightChoice>,
     /// Which forms plants are drawn in [default: the scene's]
     #[arg(long, value_enum, value_name = "NAME")]
     technique: Option<TechniqueChoice>,
@@ -123,9 +128,12 @@ pub enum CullingChoice {
 
 /// Writes the pictures.
 pub fn run(args: Args, quiet: bool) -> Result<()> {
-    let output = Output::parse(&args.output)?;
+    let output = Output::parse_or_light(&args.output)?;
+    if output.is_light() && (args.debug.is_some() || args.labels) {
+        bail!("-o {}: linear light has no debug view and no labels", args.output.display());
+    }
     output.check_frames(args.frames.as_ref().map(|frames| frames.0.len()))?;
-    let mut scene = load(&args.scene)?;
+    let mut scene = load_lit(&args.scene, args.light)?;
     let gpu = Gpu::headless()?;
     match args.garden.as_ref().map(|gardens| &gardens.0[..]) {
         None => {}
@@ -254,10 +262,14 @@ impl Sink {
         }
     }
 
-    fn add(&mut self, frame: u32, picture: &image::RgbImage) -> Result<()> {
+    /// Takes what the stage shows.
+    fn add(&mut self, frame: u32, look: &Look, stage: &mut Stage) -> Result<()> {
         match self {
-            Self::Pictures(output) => write_picture(&output.file(frame), picture),
-            Self::Film(film) => film.add(picture),
+            Self::Pictures(output) if output.is_light() => {
+                write_light(&output.file(frame), &stage.linear_picture()?)
+            }
+            Self::Pictures(output) => write_picture(&output.file(frame), &look.picture(stage)?),
+            Self::Film(film) => film.add(&look.picture(stage)?),
         }
     }
 
@@ -303,7 +315,7 @@ fn render_single(
         stage.step(dt_s)?;
         bar.step();
     }
-    sink.add(0, &look.picture(stage)?)
+    sink.add(0, look, stage)
 }
 
 /// A run of frames.
@@ -330,7 +342,7 @@ impl FrameRun<'_> {
                 self.clock.frame().try_for_each(|dt_s| self.stage.step(dt_s))?;
             }
             if frames.contains(&frame) {
-                sink.add(frame, &self.look.picture(self.stage)?)?;
+                sink.add(frame, self.look, self.stage)?;
             }
             bar.step();
         }

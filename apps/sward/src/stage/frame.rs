@@ -6,7 +6,7 @@ use super::reference::Crop;
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec4};
 use sward::{Light, Shade};
-use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, SkySettings};
+use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, SceneLight, SkySettings};
 use wgpu::util::DeviceExt;
 
 /// The WGSL twin is `GpuStageFrame` in `frame.wgsl`; a test compares the two.
@@ -30,7 +30,7 @@ pub(super) struct GpuStageFrame {
     exposure: f32,
     samples_a_side: f32,
     stands_in: f32,
-    reserved: f32,
+    rods: f32,
     shade: Vec4,
     shade_offset: Vec2,
     reserved_more: Vec2,
@@ -140,6 +140,17 @@ impl FrameUniform {
         }
     }
 
+    /// What the sky and the picture need beside the light, after [`FrameUniform::set_light`]: where the
+    /// sky's table lies, exposure, how far colours are seen.
+    pub fn set_picture(&mut self, now: &SceneLight) {
+        let values = &mut self.values;
+        (values.exposure, values.rods) = (now.exposure_ev.exp2(), now.rods);
+        if let Some(dome) = &now.dome {
+            values.to_sun.w = dome.disc;
+            (values.zenith.w, values.horizon.w) = dome.toward_sun.into();
+        }
+    }
+
     /// Neither haze nor fog nor a lens from the next writing on.
     pub fn clear_air(&mut self) {
         self.values.haze.w = 0.0;
@@ -209,7 +220,7 @@ mod tests {
             exposure,
             samples_a_side,
             stands_in,
-            reserved,
+            rods,
             shade,
             shade_offset,
             reserved_more

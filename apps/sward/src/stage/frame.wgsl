@@ -6,13 +6,14 @@ struct GpuStageFrame {
     world_from_view: mat4x4<f32>,
     // Metres
     eye: vec4<f32>,
-    // Unit direction from the ground to the sun
+    // xyz unit direction from the ground to the sun, w the share of its disc that shows
     to_sun: vec4<f32>,
     // Irradiance of the sun, of the sky from above, of the ground from below
     sun: vec4<f32>,
     sky: vec4<f32>,
     ground: vec4<f32>,
-    // Radiance of the background overhead and at the horizon
+    // Radiance of the background overhead and at the horizon; w of both: x and z of the horizontal
+    // direction to the sun, where the background is a table
     zenith: vec4<f32>,
     horizon: vec4<f32>,
     // rgb colour of the haze, w share of the light lost to it a metre
@@ -30,7 +31,8 @@ struct GpuStageFrame {
     samples_a_side: f32,
     // 1 where ground stands for the grass that is too far to be drawn, 0 where all is drawn
     stands_in: f32,
-    reserved: f32,
+    // Share of the picture that is seen without colour, as by the moon
+    rods: f32,
     // Moving shade, as the library's
     shade: vec4<f32>,
     shade_offset: vec2<f32>,

@@ -9,6 +9,7 @@ use super::{Stage, readback};
 use crate::gpu::Gpu;
 use anyhow::{Context, Result};
 use glam::{Vec3, Vec4, Vec4Swizzles};
+use image::Rgb32FImage;
 
 pub(super) const SUM_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
@@ -101,6 +102,31 @@ impl Stage {
         let pixels = readback::floats(&self.gpu, &target.means)?;
         self.readable = Some(target);
         Ok(LightMap { size, pixels })
+    }
+
+    /// The picture in linear light, neither exposed nor toned: with fog and depth of field.
+    ///
+    /// # Errors
+    /// Where the device fails.
+    pub fn linear_picture(&mut self) -> Result<Rgb32FImage> {
+        let device = &self.gpu.device;
+        let size = self.options.size;
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+        let mut target = texture(device, "sward.stage.hdr", size, SUM_FORMAT, 1, usage);
+        let mut view = target.create_view(&Default::default());
+        let mut post = Post::linear(device, &self.uniform, &self.options);
+        let mut swap = |stage: &mut Self| {
+            std::mem::swap(&mut stage.post, &mut post);
+            std::mem::swap(&mut stage.targets.picture, &mut target);
+            std::mem::swap(&mut stage.targets.picture_view, &mut view);
+        };
+        swap(self);
+        let drawn = self.draw_picture();
+        swap(self);
+        drawn?;
+        let texels = readback::floats(&self.gpu, &target)?;
+        let light = texels.into_iter().flat_map(|texel| texel.xyz().to_array()).collect();
+        Rgb32FImage::from_raw(size[0], size[1], light).context("the picture has a wrong size")
     }
 
     /// The place of the opaque thing that each pixel would show without grass, row by row; `None`

@@ -4,6 +4,7 @@
 //! A frame is: `simulate`, opaque things, `cull` (which reads their depth), grass and sky, post.
 
 mod clock;
+mod daylight;
 mod frame;
 mod fullscreen;
 mod grass_look;
@@ -40,7 +41,7 @@ use post::{Drawn, Post};
 use reference::{Crop, Supersampled};
 use sky::Sky;
 use sward::{Field, Frame, Light, Renderer, Statistics, View, Wind};
-use sward_scene::{Daylight, Scene, SceneWind, ShadeSettings};
+use sward_scene::{Heavens, Scene, SceneWind, ShadeSettings};
 use targets::Targets;
 
 /// A scene with its grass, ready to be stepped and drawn.
@@ -57,7 +58,8 @@ pub struct Stage {
     wind: Wind,
     wind_paths: Vec<SceneWind>,
     light: Light,
-    daylight: Option<Daylight>,
+    /// Where the light changes with the time.
+    heavens: Option<Heavens>,
     shade: Option<ShadeSettings>,
     gravity: sward::Gravity,
     movers: Movers,
@@ -100,9 +102,10 @@ impl Stage {
         }
         let mut uniform = FrameUniform::new(device, &options);
         let warm_up_s = f64::from(scene.warm_up_s);
-        let (sun, sky) = scene.sun_and_sky_at(-warm_up_s);
-        let light = Light { shade: scene.light().shade, ..options::light(&options, &sun, &sky) };
-        uniform.set_light(&light, &sky);
+        let now = options.seen(scene.light_at(-warm_up_s));
+        let light = Light { shade: scene.shade_at(0.0), ..options::light(&options, &now) };
+        uniform.set_light(&light, &now.sky);
+        uniform.set_picture(&now);
         let targets = Targets::new(device, options.size, samples);
         let crop = Crop::whole(options.size);
         let movers = Movers::new(scene);
@@ -110,7 +113,7 @@ impl Stage {
         let grass = GrassLook::of_objects(scene, fields, &options, &wind);
         let opaque =
             Opaque::new(gpu, &uniform, scene, &movers, &grass, (samples, options.technique));
-        let sky = Sky::new(device, &uniform, samples);
+        let sky = Sky::new(gpu, &uniform, samples, now.dome.as_ref());
         let post = Post::new(device, &uniform, targets.picture.format(), &options);
         let mut stage = Self {
             gpu: gpu.clone(),
@@ -124,7 +127,7 @@ impl Stage {
             wind,
             wind_paths: scene.wind.clone(),
             light,
-            daylight: scene.daylight.filter(|day| day.hours_per_s != 0.0),
+            heavens: scene.heavens.clone().filter(Heavens::moves),
             shade: scene.shade,
             gravity: scene.gravity,
             movers,
@@ -149,7 +152,11 @@ impl Stage {
     pub fn warm_up(&mut self) -> Result<()> {
         for dt_s in self.warm_up_steps() {
             let mut encoder = self.encoder();
-            self.encode_simulate(&mut encoder, dt_s)?;
+            // Nobody looks before time 0: its light need not be worked out
+            let heavens = self.heavens.take();
+            let stepped = self.encode_simulate(&mut encoder, dt_s);
+            self.heavens = heavens;
+            stepped?;
             self.submit(encoder);
             self.gpu.wait()?;
         }
@@ -177,6 +184,12 @@ impl Stage {
     /// # Errors
     /// Where the device fails.
     pub fn render(&mut self) -> Result<RgbImage> {
+        self.draw_picture()?;
+        readback::read(&self.gpu, &self.targets.picture)
+    }
+
+    /// Draws, up to the picture's target.
+    fn draw_picture(&mut self) -> Result<()> {
         if self.options.reference {
             self.render_reference()?;
         } else {
@@ -186,7 +199,7 @@ impl Stage {
             self.encode_post(&mut encoder);
             self.submit(encoder);
         }
-        readback::read(&self.gpu, &self.targets.picture)
+        Ok(())
     }
 
     /// Records one step of the simulation.
@@ -211,34 +224,6 @@ impl Stage {
             physics: self.options.physics,
         };
         Ok(self.renderer.simulate(&self.gpu.device, encoder, &frame)?)
-    }
-
-    /// What moves by itself, without the grass: time, sun, wind, things and bodies.
-    fn follow(&mut self, dt_s: f64) {
-        self.last_time_s = self.time_s;
-        self.time_s += dt_s;
-        self.wind.sources = self.wind_paths.iter().map(|wind| wind.at(self.time_s)).collect();
-        self.wind.advance(dt_s);
-        self.movers.advance(self.time_s);
-        self.move_light();
-    }
-
-    /// Moves the sun, and what is between it and the field.
-    fn move_light(&mut self) {
-        if self.daylight.is_none() && self.shade.is_none() {
-            return;
-        }
-        if let Some(day) = &self.daylight {
-            let (sun, sky) = day.at(self.time_s);
-            let shade = self.light.shade;
-            self.light = Light { shade, ..options::light(&self.options, &sun, &sky) };
-            self.uniform.set_light(&self.light, &sky);
-        }
-        if let Some(shade) = &self.shade {
-            self.light.shade = shade.at(self.time_s);
-            self.uniform.set_shade(&self.light.shade);
-        }
-        self.write_camera();
     }
 
     /// Records the depth of the opaque things, unless it is there already.

@@ -3,10 +3,11 @@
 use super::frame::CameraMatrices;
 use super::reference::Crop;
 use anyhow::Result;
+use glam::{Vec3, Vec3Swizzles};
 use sward::{
     Bands, ColorRange, Culling, DebugView, Light, Observer, PhysicsModel, Technique, View,
 };
-use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, Scene, SkySettings, SunSettings};
+use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, Scene, SceneLight, Tone};
 
 /// How a scene is drawn.
 #[derive(Debug, Clone)]
@@ -37,6 +38,10 @@ pub struct StageOptions {
     pub fog: Option<FogSettings>,
     /// Depth of field; the scene's.
     pub depth_of_field: Option<DepthOfFieldSettings>,
+    /// How light becomes colours; the scene's.
+    pub tone: Tone,
+    /// Stops that the picture is exposed by; none: as many as suit the light.
+    pub exposure_ev: Option<f32>,
     /// Whether spheres push the blades.
     pub collisions: bool,
     /// What to show in place of the blades' own look.
@@ -46,6 +51,14 @@ pub struct StageOptions {
     /// Level that every blade is drawn at, 0 to 3; none: by size.
     pub level: Option<u8>,
 }
+
+/// Luminance of linear RGB.
+const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);
+/// Exposed luminance of the sky in view from which on the exposure gives way: who looks at a low sun
+/// closes the aperture.
+const DAZZLES: f32 = 0.9;
+/// Stops that it gives way a stop.
+const DAZZLED: f32 = 0.7;
 
 impl StageOptions {
     /// The scene's own way, seen by its first camera or the one of that name.
@@ -67,6 +80,8 @@ impl StageOptions {
             haze: true,
             fog: scene.fog,
             depth_of_field: scene.depth_of_field,
+            tone: scene.tone(),
+            exposure_ev: scene.exposure_ev,
             collisions: true,
             debug: None,
             culling_camera: None,
@@ -82,6 +97,23 @@ impl StageOptions {
         self.reference || stood_in && endless
     }
 
+    /// A scene's light as the picture has it: haze and fog take the colour of the sky behind them, that
+    /// of the horizon where the camera looks, and the exposure is the options'.
+    pub(super) fn seen(&self, mut light: SceneLight) -> SceneLight {
+        if let Some(dome) = &light.dome {
+            let Camera { eye, target, vertical_fov_deg, .. } = self.camera;
+            let aspect = self.size[0] as f32 / self.size[1] as f32;
+            let half = ((0.5 * vertical_fov_deg).to_radians().tan() * aspect).atan();
+            let heading = (target - eye).xz();
+            light.sky.horizon = dome.horizon(heading, half, 0.5);
+            let seen = dome.horizon(heading, half, 10.0) * light.exposure_ev.exp2();
+            let dazzles = (seen.dot(LUMINANCE) / DAZZLES).max(1.0).log2();
+            light.exposure_ev -= DAZZLED * dazzles;
+        }
+        light.exposure_ev = self.exposure_ev.unwrap_or(light.exposure_ev);
+        light
+    }
+
     /// The camera of the picture.
     pub(super) fn drawn_from(&self, crop: Crop) -> CameraMatrices {
         CameraMatrices::new(&self.camera, self.size, crop)
@@ -95,8 +127,8 @@ impl StageOptions {
 }
 
 /// The light of sun and sky, without the haze where the options leave it out.
-pub(super) fn light(options: &StageOptions, sun: &SunSettings, sky: &SkySettings) -> Light {
-    let light = sward_scene::light(sun, sky);
+pub(super) fn light(options: &StageOptions, now: &SceneLight) -> Light {
+    let light = sward_scene::light(&now.sun, &now.sky);
     Light { haze_per_m: if options.haze { light.haze_per_m } else { 0.0 }, ..light }
 }
 

@@ -3,12 +3,12 @@
 use super::plants;
 use crate::check::{Key, MAX_M, Problem};
 use crate::schema::{
-    CullingFile, DaylightFile, DepthOfFieldFile, FogFile, GravityFile, PhysicsFile, SceneFile,
-    SkyFile, SunFile, TechniqueFile,
+    CullingFile, DepthOfFieldFile, FogFile, GravityFile, PhysicsFile, SceneFile, SkyFile, SunFile,
+    TechniqueFile, ToneFile,
 };
 use crate::{
-    Daylight, DepthOfFieldSettings, FogSettings, GroundSettings, ShadeSettings, SkySettings,
-    SunSettings,
+    Course, Daylight, DepthOfFieldSettings, FogSettings, GroundSettings, Heavens, Luminary,
+    ShadeSettings, SkySettings, SunSettings, Tone,
 };
 use glam::Vec3;
 use sward::{Bands, Culling, Gravity, PhysicsModel, Technique};
@@ -16,7 +16,9 @@ use sward::{Bands, Culling, Gravity, PhysicsModel, Technique};
 pub(super) struct Settings {
     pub(super) light: SunSettings,
     pub(super) sky: SkySettings,
-    pub(super) daylight: Option<Daylight>,
+    pub(super) heavens: Option<Heavens>,
+    pub(super) tone: Option<Tone>,
+    pub(super) exposure_ev: Option<f32>,
     pub(super) fog: Option<FogSettings>,
     pub(super) depth_of_field: Option<DepthOfFieldSettings>,
     pub(super) gravity: Gravity,
@@ -33,16 +35,28 @@ pub(super) struct Settings {
 impl Settings {
     pub(super) fn check(file: &SceneFile) -> Result<Self, Problem> {
         let ground = Key::name("ground");
-        let daylight = daylight(file)?;
+        let heavens = daylight(file)?.map(Heavens::new);
         let by_hand = || -> Result<_, Problem> {
             let (sun_file, sky_file) = (file.sun.clone(), file.sky.clone());
             Ok((sun(&sun_file.unwrap_or_default())?, sky(&sky_file.unwrap_or_default())?))
         };
-        let (light, sky) = daylight.map_or_else(by_hand, |day| Ok(day.at(0.0)))?;
+        let (light, sky) = match &heavens {
+            None => by_hand()?,
+            Some(heavens) => {
+                let now = heavens.at(0.0);
+                (now.sun, now.sky)
+            }
+        };
+        let exposed = |ev| Key::name("exposure_ev").within(ev, -20.0, 20.0);
         Ok(Self {
             light,
             sky,
-            daylight,
+            heavens,
+            tone: file.tone.map(|tone| match tone {
+                ToneFile::Neutral => Tone::Neutral,
+                ToneFile::Agx => Tone::Agx,
+            }),
+            exposure_ev: file.exposure_ev.map(exposed).transpose()?,
             fog: file.fog.as_ref().map(fog).transpose()?,
             depth_of_field: file.depth_of_field.as_ref().map(depth_of_field).transpose()?,
             gravity: gravity(&file.gravity)?,
@@ -78,17 +92,24 @@ fn daylight(file: &SceneFile) -> Result<Option<Daylight>, Problem> {
             return Err(key.problem(cause));
         }
     }
-    let DaylightFile { time_h, hours_per_s, latitude_deg, day_of_year, strength, haze_m } = *light;
     let hours = |name, value: f64, least, most| {
         key.at(name).within(value as f32, least, most).map(|_| value)
     };
+    let course = Course::Day {
+        time_h: hours("time_h", light.time_h, 0.0, 24.0)?,
+        hours_per_s: hours("hours_per_s", light.hours_per_s, -24.0, 24.0)?,
+        latitude_deg: key.at("latitude_deg").within(light.latitude_deg, -90.0, 90.0)?,
+        day_of_year: key.at("day_of_year").within(light.day_of_year, 1.0, 366.0)?,
+    };
     Ok(Some(Daylight {
-        time_h: hours("time_h", time_h, 0.0, 24.0)?,
-        hours_per_s: hours("hours_per_s", hours_per_s, -24.0, 24.0)?,
-        latitude_deg: key.at("latitude_deg").within(latitude_deg, -90.0, 90.0)?,
-        day_of_year: key.at("day_of_year").within(day_of_year, 1.0, 366.0)?,
-        strength: key.at("strength").within(strength, 0.0, 100.0)?,
-        haze_m: key.at("haze_m").above_zero(haze_m, f32::INFINITY)?,
+        course,
+        luminary: Luminary::Sun,
+        turbidity: key.at("turbidity").within(light.turbidity, 1.0, 10.0)?,
+        ground_albedo: key.at("ground_albedo").color(light.ground_albedo)?.into(),
+        clouds: 0.0,
+        strength: key.at("strength").within(light.strength, 0.0, 100.0)?,
+        haze_m: key.at("haze_m").above_zero(light.haze_m, f32::INFINITY)?,
+        brighter_ev: 0.0,
     }))
 }
 

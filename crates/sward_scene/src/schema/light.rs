@@ -71,6 +71,12 @@ pub struct DaylightFile {
     pub latitude_deg: f32,
     /// Day of the year, 1..=366; default 172, the northern midsummer.
     pub day_of_year: f32,
+    /// Optical depth of the air over that of pure air, 1..=10; default 2.5, a clear day. Higher
+    /// whitens the sky and reddens the low sun.
+    pub turbidity: f32,
+    /// Reflectance of the land around; default that of grassland. It lights the sky and downward
+    /// faces.
+    pub ground_albedo: Color,
     /// Times the light of sun and sky, 0..=100; default 1.
     pub strength: f32,
     /// Distance at which haze hides 63 %, above 0; default `inf`, clear air.
@@ -84,10 +90,21 @@ impl Default for DaylightFile {
             hours_per_s: 0.0,
             latitude_deg: 48.0,
             day_of_year: 172.0,
+            turbidity: 2.5,
+            ground_albedo: Color([0.12, 0.13, 0.07]),
             strength: 1.0,
             haze_m: f32::INFINITY,
         }
     }
+}
+
+/// How light becomes a picture's colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+pub enum ToneFile {
+    /// Khronos PBR Neutral: colours stay as they are up to a shoulder.
+    Neutral,
+    /// AgX: a film's curve, in which bright colours go to white.
+    Agx,
 }
 
 /// Look of bare ground.

@@ -27,7 +27,7 @@ pub use field::{
 pub use form::{FormFile, StripFile};
 pub use light::{
     CullingFile, DaylightFile, GravityFile, GroundFile, PhysicsFile, SkyFile, SunFile,
-    TechniqueFile,
+    TechniqueFile, ToneFile,
 };
 pub use motion::{PathFile, PathKeyFile};
 pub use object::{ObjectFile, Scale, ScatterFile};
@@ -69,6 +69,10 @@ pub struct SceneFile {
     pub sky: Option<SkyFile>,
     /// Sun and sky by the time of day, in place of `sun` and `sky`; default none.
     pub light: Option<DaylightFile>,
+    /// Stops that the picture is exposed by, -20..=20; default: with `light` as many as suit it, else 0.
+    pub exposure_ev: Option<f32>,
+    /// How light becomes colours: `Neutral`, or `Agx`, the default with `light`.
+    pub tone: Option<ToneFile>,
     /// Fog by distance; default none.
     pub fog: Option<FogFile>,
     /// Depth of field; default none: all is in focus.
@@ -109,6 +113,8 @@ impl Default for SceneFile {
             sun: None,
             sky: None,
             light: None,
+            exposure_ev: None,
+            tone: None,
             fog: None,
             depth_of_field: None,
             ground: GroundFile::default(),

@@ -71,6 +71,7 @@ impl Look {
         if debug.is_some() {
             // The legend's colours are the picture's
             (options.fog, options.depth_of_field) = (None, None);
+            (options.tone, options.exposure_ev) = (sward_scene::Tone::Neutral, Some(0.0));
         }
     }
 

@@ -11,6 +11,8 @@ mod read;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
+mod tone_tests;
+#[cfg(test)]
 mod twin;
 
 pub(super) use depth_of_field::lens;
@@ -19,9 +21,11 @@ pub(super) use position::Position;
 use super::StageOptions;
 use super::frame::FrameUniform;
 use super::fullscreen::{Fullscreen, FullscreenDesc, Input};
+use super::light::SUM_FORMAT;
 use super::targets::texture;
 use crate::gpu::COLOR_FORMAT;
 use depth_of_field::DepthOfField;
+use sward_scene::Tone;
 
 /// The passes after drawing.
 #[derive(Debug)]
@@ -29,7 +33,8 @@ pub(super) struct Post {
     position: Option<Position>,
     fogged: Option<Filter>,
     depth_of_field: Option<DepthOfField>,
-    tone_map: Fullscreen,
+    /// Tone mapping, or nothing.
+    end: Fullscreen,
 }
 
 /// Colour and positions that are worked on.
@@ -49,30 +54,54 @@ struct Filter {
 }
 
 impl Post {
-    /// Only the passes that the options ask for.
+    /// Only the passes that the options ask for, and a picture in the end.
     pub fn new(
         device: &wgpu::Device,
         frame: &FrameUniform,
         picture: wgpu::TextureFormat,
         options: &StageOptions,
     ) -> Self {
-        let size = options.size;
-        let samples = if options.reference { 1 } else { options.samples };
-        let (fog, lens) = (options.fog.is_some(), options.depth_of_field.is_some());
+        let agx = f64::from(u8::from(options.tone == Tone::Agx));
         let tone_map = FullscreenDesc {
             name: "tone_map",
-            source: include_str!("tone_map.wgsl"),
+            source: concat!(include_str!("agx.wgsl"), include_str!("tone_map.wgsl")),
             formats: &[picture],
+            samples: 1,
+            inputs: &[Input::Color],
+            constants: &[("AGX", agx)],
+            background: false,
+        };
+        Self::ending(device, frame, options, &tone_map)
+    }
+
+    /// The same, but what comes out is linear light, in [`SUM_FORMAT`].
+    pub fn linear(device: &wgpu::Device, frame: &FrameUniform, options: &StageOptions) -> Self {
+        let linear = FullscreenDesc {
+            name: "linear",
+            source: include_str!("linear.wgsl"),
+            formats: &[SUM_FORMAT],
             samples: 1,
             inputs: &[Input::Color],
             constants: &[],
             background: false,
         };
+        Self::ending(device, frame, options, &linear)
+    }
+
+    fn ending(
+        device: &wgpu::Device,
+        frame: &FrameUniform,
+        options: &StageOptions,
+        end: &FullscreenDesc,
+    ) -> Self {
+        let size = options.size;
+        let samples = if options.reference { 1 } else { options.samples };
+        let (fog, lens) = (options.fog.is_some(), options.depth_of_field.is_some());
         Self {
             position: (fog || lens).then(|| Position::new(device, frame, size, samples)),
             fogged: fog.then(|| fogged(device, frame, size)),
             depth_of_field: lens.then(|| DepthOfField::new(device, frame, size)),
-            tone_map: Fullscreen::new(device, &frame.layout, &tone_map),
+            end: Fullscreen::new(device, &frame.layout, end),
         }
     }
 
@@ -110,8 +139,8 @@ impl Post {
         if let (Some(lens), Some(position)) = (&self.depth_of_field, drawn.position) {
             color = lens.run(device, encoder, frame, [color, position]);
         }
-        let inputs = self.tone_map.bind(device, &[color]);
-        self.tone_map.run(encoder, &[picture], &frame.group, &inputs);
+        let inputs = self.end.bind(device, &[color]);
+        self.end.run(encoder, &[picture], &frame.group, &inputs);
     }
 }
 

@@ -17,15 +17,15 @@ use wgpu::util::{DeviceExt, TextureDataOrder};
 const SCENE: &str = "fields: [(on: Plane())], \
                      cameras: [(eye: (1, 6, 2), target: (1, 5, -3), vertical_fov_deg: 50)],";
 
-struct Rig {
-    gpu: Gpu,
-    frame: FrameUniform,
-    options: StageOptions,
+pub(super) struct Rig {
+    pub(super) gpu: Gpu,
+    pub(super) frame: FrameUniform,
+    pub(super) options: StageOptions,
     camera: CameraMatrices,
 }
 
 impl Rig {
-    fn new(keys: &str, size: [u32; 2], samples: u32) -> Self {
+    pub(super) fn new(keys: &str, size: [u32; 2], samples: u32) -> Self {
         let gpu = Gpu::headless().unwrap();
         let text = format!("({SCENE} {keys})");
         let scene = sward_scene::parse(&text, Path::new("test.ron")).unwrap();
@@ -59,7 +59,7 @@ impl Rig {
         readback::floats(&self.gpu, position.target()).unwrap()
     }
 
-    fn texture(&self, texels: &[Vec4]) -> wgpu::TextureView {
+    pub(super) fn texture(&self, texels: &[Vec4]) -> wgpu::TextureView {
         let [width, height] = self.options.size;
         let descriptor = wgpu::TextureDescriptor {
             label: None,

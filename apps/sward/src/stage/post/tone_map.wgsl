@@ -1,5 +1,7 @@
 // Exposure, tone mapping, sRGB encoding.
 
+override AGX: bool = false;
+
 @group(1) @binding(0) var color: texture_2d<f32>;
 
 // Khronos PBR Neutral: colours below the shoulder stay as they are, brighter ones roll off to white.
@@ -24,8 +26,20 @@ fn srgb_encode(linear: vec3<f32>) -> vec3<f32> {
     return select(high, linear * 12.92, linear <= vec3(0.0031308));
 }
 
+// By the moon eyes see hardly any colour, and blue best (Purkinje).
+fn by_rods(light: vec3<f32>) -> vec3<f32> {
+    let seen = dot(light, vec3(0.06, 0.6, 0.34));
+    return mix(light, seen * vec3(0.8, 1.0, 1.25), frame.rods);
+}
+
 @fragment
 fn tone_map(in: Fullscreen) -> @location(0) vec4<f32> {
     let light = textureLoad(color, vec2<i32>(in.position.xy), 0).rgb * frame.exposure;
+    if AGX {
+        let shown = srgb_encode(clamp(tone_map_agx(by_rods(light)), vec3(0.0), vec3(1.0)));
+        // Dark even skies would show steps: half a step of fixed noise hides them
+        let noise = fract(52.982918 * fract(dot(in.position.xy, vec2(0.06711056, 0.00583715))));
+        return vec4(shown + (noise - 0.5) / 255.0, 1.0);
+    }
     return vec4(srgb_encode(clamp(tone_map_pbr_neutral(light), vec3(0.0), vec3(1.0))), 1.0);
 }
