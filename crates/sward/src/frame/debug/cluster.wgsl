@@ -2,7 +2,7 @@
 
 struct DebugClusterVertex {
     @builtin(position) clip: vec4<f32>,
-    @location(0) @interpolate(linear, centroid) uv: vec2<f32>,
+    @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
     @location(1) @interpolate(flat) color: vec3<f32>,
     @location(2) @interpolate(flat) cells: vec2<f32>,
     @location(3) @interpolate(flat) layer: u32,

@@ -4,8 +4,7 @@
 
 struct ClusterVertex {
     @builtin(position) clip: vec4<f32>,
-    // Cards are small beside their distance: the screen's own way will do
-    @location(0) @interpolate(linear, centroid) uv: vec2<f32>,
+    @location(0) @interpolate(perspective, centroid) uv: vec2<f32>,
     // The colour of a texel t is `base` + `gain` t t
     @location(1) @interpolate(flat) base: vec3<f32>,
     @location(2) @interpolate(flat) gain: vec3<f32>,
