@@ -40,7 +40,7 @@ impl LightPreset {
     pub fn daylight(self, azimuth_deg: f32, haze_m: f32) -> Daylight {
         let (elevation_deg, turbidity, brighter_ev) = match self {
             Self::Dawn => (3.8, 1.6, -0.3),
-            Self::Noon => (58.0, 1.6, 0.15),
+            Self::Noon => (58.0, 1.6, -0.1),
             Self::GoldenHour => (8.0, 2.2, -0.2),
             Self::Overcast => (45.0, 3.0, -0.6),
             Self::Moonlit => (34.0, 1.6, -1.8),

@@ -20,7 +20,7 @@ const AGX_BELOW = 10.0;
 const AGX_GREY = 0.18;
 // Of the look: contrast about middle grey's own place, and saturation
 const AGX_CONTRAST = 1.3;
-const AGX_SATURATION = 1.4;
+const AGX_SATURATION = 1.25;
 
 // A sigmoid through (10/16.5, 1/2) with slope 2: from there to 0 as far as `u` is 1 the distance `a u`,
 // bent by the power p so that it ends at 1/2.

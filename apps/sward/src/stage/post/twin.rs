@@ -63,7 +63,7 @@ pub fn agx(light: DVec3) -> DVec3 {
     let stops = |x: f64| ((x.max(1e-10) / 0.18).log2() + 10.0) / 16.5;
     let look = (inset * light).map(|x| sigmoid(stops(x).clamp(0.0, 1.0)).powf(1.3));
     let grey = look.dot(DVec3::new(0.2126, 0.7152, 0.0722));
-    let shown = inset.inverse() * (grey + (look - grey) * 1.4);
+    let shown = inset.inverse() * (grey + (look - grey) * 1.25);
     shown.map(|x| x.max(0.0).powf(2.2))
 }
 
