@@ -1,7 +1,7 @@
 //! Sun and sky by the time of day, or by a preset. Where the sun stands is astronomy, good to a degree;
 //! the light is the atmosphere's.
 
-use crate::atmosphere::{ABOVE_AIR, Atmosphere, Dome};
+use crate::atmosphere::{ABOVE_AIR, Atmosphere, Dome, LUMINANCE};
 use crate::{SkySettings, SunSettings};
 use glam::Vec3;
 use std::f32::consts::PI;
@@ -157,7 +157,7 @@ fn exposure(irradiance: Vec3) -> f32 {
 }
 
 fn luminance(color: Vec3) -> f32 {
-    color.dot(Vec3::new(0.2126, 0.7152, 0.0722))
+    color.dot(LUMINANCE)
 }
 
 impl Course {

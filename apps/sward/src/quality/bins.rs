@@ -8,6 +8,7 @@ use crate::stage::LightMap;
 use glam::Vec3;
 use serde::Serialize;
 use sward_scene::Camera;
+use sward_scene::atmosphere::LUMINANCE;
 
 /// How many times as far as it begins a range ends.
 const STEP: f32 = 1.35;
@@ -15,8 +16,6 @@ const STEP: f32 = 1.35;
 const LEAST_PIXELS: f32 = 200.0;
 /// Upright strips of a picture, whose differences tell how much is chance.
 const STRIPS: usize = 10;
-
-const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);
 
 /// A range of distance.
 #[derive(Debug, Clone, Copy, Serialize)]

@@ -3,10 +3,11 @@
 use super::frame::CameraMatrices;
 use super::reference::Crop;
 use anyhow::Result;
-use glam::{Vec3, Vec3Swizzles};
+use glam::Vec3Swizzles;
 use sward::{
     Bands, ColorRange, Culling, DebugView, Light, Observer, PhysicsModel, Technique, View,
 };
+use sward_scene::atmosphere::LUMINANCE;
 use sward_scene::{Camera, DepthOfFieldSettings, FogSettings, Scene, SceneLight, Tone};
 
 /// How a scene is drawn.
@@ -52,8 +53,6 @@ pub struct StageOptions {
     pub level: Option<u8>,
 }
 
-/// Luminance of linear RGB.
-const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);
 /// Exposed luminance of the sky in view from which on the exposure gives way: who looks at a low sun
 /// closes the aperture.
 const DAZZLES: f32 = 0.9;

@@ -25,6 +25,8 @@ use tables::{Multiple, Transmittance};
 
 /// Irradiance of the sun above the air, in the scenes' units.
 pub const ABOVE_AIR: f32 = 3.65;
+/// Weights of linear RGB in luminance.
+pub const LUMINANCE: Vec3 = Vec3::new(0.2126, 0.7152, 0.0722);
 /// Height of whoever looks over the ground, kilometres.
 const EYE_KM: f64 = 0.02;
 
